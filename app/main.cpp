@@ -1,6 +1,5 @@
 // The command line: one CLI::App with a file of app/commands per subcommand; without a subcommand the window.
 #include "app/commands/command.h"
-#include "app/commands/harmless_output.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/run_chosen.h"
 #include "app/commands/subcommands.h"
@@ -14,7 +13,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -119,17 +117,6 @@ int run(int argc, char** argv) {
     return run_chosen(chosen);
 }
 
-int run_caught(int argc, char** argv) {
-    const HarmlessOutput harmless;
-    try {
-        return run(argc, argv);
-    } catch (const std::bad_alloc&) {
-        return complain("not enough memory; a coarser --detail or --cell needs less");
-    } catch (const std::exception& error) {
-        return complain(error.what());
-    }
-}
-
 } // namespace
 
 } // namespace ramus::app
@@ -138,5 +125,8 @@ int main(int argc, char** argv) {
     // Writing beyond `ulimit -f` is an error that a command reports, not a signal that kills it.
     std::signal(SIGXFSZ, SIG_IGN);
     ramus::explain_out_of_memory();
-    return ramus::run_with_usual_stacks([=] { return ramus::app::run_caught(argc, argv); });
+    return ramus::run_with_usual_stacks([=] {
+        return ramus::app::run_caught([=] { return ramus::app::run(argc, argv); },
+                                      "a coarser --detail or --cell needs less");
+    });
 }

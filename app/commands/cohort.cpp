@@ -7,6 +7,7 @@
 #include "app/commands/listing.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
+#include "app/picture/figure_options.h"
 #include "app/session/numbers.h"
 #include "app/storage/opening_files.h"
 #include "core/base/memory.h"
@@ -17,7 +18,6 @@
 #include "core/io/output_folder.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -82,18 +82,28 @@ std::uint64_t memory_of_a_case(const CohortFlags& flags) {
     return static_cast<std::uint64_t>(memory_limit(0.0) / at_once);
 }
 
+Json skipped_json(const std::vector<SkippedFile>& skipped) {
+    Json list = Json::array();
+    for (const SkippedFile& one : skipped) list.push_back({{"path", printable(one.path)}, {"reason", one.reason}});
+    return list;
+}
+
 Result<Json> configuration(const CohortFlags& flags, const FoundCases& found) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) return fail("the program's own file is not known: " + error.message());
-    Json config{
-        {"version", RAMUS_VERSION}, {"program", program.string()}, {"root", flags.folder.string()},
-        {"given", flags.given},     {"options", flags.options},    {"compares_masks", compares_masks(flags.given)},
-        {"size", flags.size},       {"threads", flags.threads()},  {"memory_bytes", memory_of_a_case(flags)},
-        {"cases", Json::array()},   {"skipped", Json::array()}};
+    Json config{{"version", RAMUS_VERSION},
+                {"program", program.string()},
+                {"root", flags.folder.string()},
+                {"given", flags.given},
+                {"options", flags.options},
+                {"compares_masks", compares_masks(flags.given)},
+                {"size", flags.size},
+                {"threads", flags.threads()},
+                {"memory_bytes", memory_of_a_case(flags)},
+                {"cases", Json::array()},
+                {"skipped", skipped_json(found.skipped)}};
     for (const CohortCase& one : found.cases) config["cases"].push_back(case_json(one, flags.folder));
-    for (const SkippedFile& one : found.skipped)
-        config["skipped"].push_back({{"path", printable(one.path)}, {"reason", one.reason}});
     return config;
 }
 
@@ -121,12 +131,6 @@ void print_skipped(const std::vector<SkippedFile>& skipped) {
         std::cout << "skipped " << printable(skipped[n].path) << ": " << skipped[n].reason << '\n';
     if (skipped.size() > kMostListed)
         std::cout << "and " << grouped(skipped.size() - kMostListed) << " more, listed in config.json\n";
-}
-
-Json skipped_json(const std::vector<SkippedFile>& skipped) {
-    Json list = Json::array();
-    for (const SkippedFile& one : skipped) list.push_back({{"path", printable(one.path)}, {"reason", one.reason}});
-    return list;
 }
 
 // What would run. Writes nothing but snakemake's own notes in a folder that it already knows.
@@ -232,9 +236,9 @@ void register_cohort(CLI::App& app, Action& chosen) {
         ->allow_extra_args(false);
     add_option(*command, "--size", "WxH", flags->size, "Pixels of the pictures (default 800x600)")
         ->check(expecting(" is not a size like 800x600", [](const std::string& word) {
-            int width = 0, height = 0;
-            char end = '\0';
-            return std::sscanf(word.c_str(), "%dx%d%c", &width, &height, &end) == 2 && width >= 64 && height >= 64;
+            constexpr int kLeast = 64;
+            const auto size = size_in(word);
+            return size && size->x >= kLeast && size->y >= kLeast;
         }));
     command->add_flag("--dry-run", flags->dry_run, "Say what would be done, and do nothing");
     command->add_flag("--retry", flags->retry, "Compute cases again that failed");

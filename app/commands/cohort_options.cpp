@@ -49,7 +49,7 @@ void append_words(Json& words, const std::string& name, const Json& values) {
 }
 
 // "1+3,2" is what --label takes as "1,3,2". Empty: all labels.
-std::string label_list(const Json& given) {
+std::string given_labels(const Json& given) {
     if (!given.contains("--labels")) return {};
     std::string labels = given.at("--labels").at(0);
     if (labels == "apart" || labels == "together" || labels == "all") return {};
@@ -106,7 +106,7 @@ Json step_options(CLI::App& app, const Json& given) {
     }
     if (!compares_masks(given)) return options;
     Json& compared = options["mask"]["validate"];
-    if (const std::string labels = label_list(given); !labels.empty()) compared.push_back("--label=" + labels);
+    if (const std::string labels = given_labels(given); !labels.empty()) compared.push_back("--label=" + labels);
     if (given.contains("--units")) compared.push_back("--mask-units=" + given.at("--units").at(0).get<std::string>());
     return options;
 }

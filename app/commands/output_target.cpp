@@ -51,9 +51,9 @@ std::vector<std::string_view> streamed_tree_extensions() {
 }
 
 std::vector<std::string_view> streamed_mesh_extensions() {
-    std::vector<std::string_view> extensions = io::writable_extensions(io::mesh_formats());
-    std::erase(extensions, ".pvtp");
-    return extensions;
+    std::vector<io::MeshFormat> formats = io::mesh_formats();
+    std::erase_if(formats, [](const io::MeshFormat& format) { return format.in_files; });
+    return io::writable_extensions(formats);
 }
 
 void add_format_flag(CLI::App& command, std::string& format, const std::vector<std::string_view>& extensions) {

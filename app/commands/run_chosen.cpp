@@ -1,5 +1,6 @@
 #include "app/commands/run_chosen.h"
 
+#include "app/commands/harmless_output.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/progress.h"
 #include "app/commands/surface_flags.h"
@@ -7,13 +8,26 @@
 #include "core/io/standard_input.h"
 
 #include <cstdio>
+#include <exception>
 #include <iostream>
+#include <new>
 
 namespace ramus::app {
 
 int complain(const std::string& message) {
     std::cerr << "ramus: " << printable(message) << '\n';
     return kFailed;
+}
+
+int run_caught(const std::function<int()>& program, const std::string& needs_less) {
+    const HarmlessOutput harmless;
+    try {
+        return program();
+    } catch (const std::bad_alloc&) {
+        return complain("not enough memory; " + needs_less);
+    } catch (const std::exception& error) {
+        return complain(error.what());
+    }
 }
 
 int run_chosen(const Action& chosen) {

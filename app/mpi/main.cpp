@@ -1,14 +1,14 @@
 // `mpirun -n N ramus-mpi mesh TREE -o MESH`: one surface, made by all processes of an MPI job.
-#include "app/commands/harmless_output.h"
 #include "app/commands/run_chosen.h"
 #include "app/commands/subcommands.h"
 #include "app/mpi/mpi_team.h"
 #include "core/base/resource_limits.h"
 
+#include <chrono>
 #include <csignal>
-#include <exception>
 #include <iostream>
-#include <new>
+#include <sstream>
+#include <thread>
 
 namespace ramus::app {
 
@@ -30,17 +30,6 @@ int run(int argc, char** argv, Team& team) {
     return run_chosen(chosen);
 }
 
-int run_caught(int argc, char** argv, Team& team) {
-    const HarmlessOutput harmless;
-    try {
-        return run(argc, argv, team);
-    } catch (const std::bad_alloc&) {
-        return complain("not enough memory; a coarser --detail or --cell, or more processes, need less");
-    } catch (const std::exception& error) {
-        return complain(error.what());
-    }
-}
-
 } // namespace
 
 } // namespace ramus::app
@@ -49,9 +38,20 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN); // as ramus
     ramus::explain_out_of_memory();
     ramus::app::MpiTeam team(argc, argv);
-    const int status = ramus::run_with_usual_stacks([&] { return ramus::app::run_caught(argc, argv, team); });
-    // The others wait for a process that fails.
-    if (status == ramus::app::kFailed) team.abort(status);
+    std::ostringstream held;
+    std::streambuf* const usual = std::cerr.rdbuf();
+    if (!team.leads()) std::cerr.rdbuf(held.rdbuf());
+    const int status = ramus::run_with_usual_stacks([&] {
+        return ramus::app::run_caught([&] { return ramus::app::run(argc, argv, team); },
+                                      "a coarser --detail or --cell, or more processes, need less");
+    });
+    std::cerr.rdbuf(usual);
+    if (status == ramus::app::kFailed) {
+        // What fails for all is said once: the leader ends the job before another process speaks.
+        if (!team.leads()) std::this_thread::sleep_for(std::chrono::seconds(1));
+        std::cerr << held.str() << std::flush;
+        team.abort(status); // the others wait for this one
+    }
     team.finish();
     return status;
 }

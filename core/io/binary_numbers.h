@@ -30,6 +30,19 @@ enum class NumberType : std::uint8_t {
     return kSizes[static_cast<std::size_t>(type)];
 }
 
+// What processes of one machine tell each other, in its byte order: appends a number.
+template <class T> void append_number(std::string& bytes, const T& number) {
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof(T));
+}
+// Removes a number from the front. None: there are too few bytes.
+template <class T> [[nodiscard]] std::optional<T> take_number(std::string_view& bytes) {
+    if (bytes.size() < sizeof(T)) return std::nullopt;
+    T number{};
+    std::memcpy(&number, bytes.data(), sizeof(T));
+    bytes.remove_prefix(sizeof(T));
+    return number;
+}
+
 // Decodes the number at `bytes`, which must have sizeof(T) bytes.
 template <class T> [[nodiscard]] T number_at(const char* bytes, std::endian order) {
     char ordered[sizeof(T)];

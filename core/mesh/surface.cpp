@@ -75,11 +75,12 @@ public:
     Result<void> check(const field::Field& sum) {
         if (sum.skeleton().present().empty()) return {};
         PolygonizeOptions chosen = polygonize_options(options_);
-        const double share = making_.share();
-        if (check_feasible(sum, chosen, PolygonizeMode::kWhole, share)) of_mesh_ = nullptr;
-        if (of_mesh_ == nullptr) return check_feasible(sum, chosen, PolygonizeMode::kWhole, share);
+        const bricks::Sizing sizing = bricks::make_sizing(sum, chosen.detail, chosen.cell_mm);
+        Result<void> in_memory = check_feasible(sum, sizing, chosen, PolygonizeMode::kWhole, making_.share());
+        if (in_memory) of_mesh_ = nullptr;
+        if (of_mesh_ == nullptr) return in_memory;
         chosen.memory_bytes += kPreparedBytes * static_cast<double>(sum.skeleton().segments().size());
-        return check_feasible(sum, chosen, PolygonizeMode::kOnDisk, share);
+        return check_feasible(sum, sizing, chosen, PolygonizeMode::kOnDisk, making_.share());
     }
 
     // Whether the prepared tree is let go of while the surface is polygonized. It takes as much as its field.

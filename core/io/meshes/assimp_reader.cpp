@@ -1,6 +1,7 @@
 #include "core/io/meshes/assimp_reader.h"
 
 #include "core/base/own_process.h"
+#include "core/io/binary_numbers.h"
 #include "core/io/input_file.h"
 
 #include <algorithm>
@@ -122,15 +123,6 @@ std::string read_with_assimp(std::string_view input) {
     } catch (const std::exception&) { // on damaged files
         return {};
     }
-}
-
-// Removes a number of type T from the front. None: there are too few bytes.
-template <class T> std::optional<T> take_number(std::string_view& bytes) {
-    if (bytes.size() < sizeof(T)) return std::nullopt;
-    T number{};
-    std::memcpy(&number, bytes.data(), sizeof(T));
-    bytes.remove_prefix(sizeof(T));
-    return number;
 }
 
 // The inverse of soup_bytes(). None: the bytes are invalid.

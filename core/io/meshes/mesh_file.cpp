@@ -99,11 +99,6 @@ std::vector<MeshFormat> formats_of_triangles() {
     };
 }
 
-MeshFormat in_pieces(MeshFormat format) {
-    format.in_files = true;
-    return format;
-}
-
 // Formats with names and colours.
 std::vector<MeshFormat> formats_of_scenes() {
     return {
@@ -117,14 +112,18 @@ std::vector<MeshFormat> formats_of_scenes() {
          nullptr,
          {},
          write_vtp_whole},
-        in_pieces({{.name = "PVTP surface",
-                    .extensions = {".pvtp"},
-                    .help = "PolyData of VTK in several files, for ParaView on many processors."},
-                   nullptr,
-                   nullptr,
-                   nullptr,
-                   {},
-                   write_pvtp_surface}),
+        {{.name = "PVTP surface",
+          .extensions = {".pvtp"},
+          .help = "PolyData of VTK in several files, for ParaView on many processors."},
+         nullptr,
+         nullptr,
+         nullptr,
+         {},
+         write_pvtp_surface,
+         false,
+         1.0,
+         false,
+         true},
         {{.name = "VTU surface",
           .extensions = {".vtu"},
           .has_signature = is_vtk_unstructured_grid,

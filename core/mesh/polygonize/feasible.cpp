@@ -76,9 +76,4 @@ Result<void> check_feasible(const field::Field& field, const bricks::Sizing& siz
     return check_resolved(field, sizing, options);
 }
 
-Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode,
-                            double share) {
-    return check_feasible(field, bricks::make_sizing(field, options.detail, options.cell_mm), options, mode, share);
-}
-
 } // namespace ramus::mesh

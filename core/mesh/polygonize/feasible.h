@@ -15,8 +15,4 @@ namespace ramus::mesh {
 [[nodiscard]] Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing,
                                           const PolygonizeOptions& options, PolygonizeMode mode, double share = 1.0);
 
-// The same; computes the sizing itself.
-[[nodiscard]] Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options,
-                                          PolygonizeMode mode, double share = 1.0);
-
 } // namespace ramus::mesh

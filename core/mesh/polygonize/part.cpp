@@ -22,15 +22,29 @@ using bricks::SubtreePlaces;
 using bricks::SubtreeRange;
 using bricks::SubtreeSize;
 
-// Work of a brick, in units of one segment in the list of a brick. Measured on grown and real trees.
+// Work of a brick, in units of one segment in the list of a brick: an estimate. tests/bench/parts.py shows how even the
+// parts are that it gives.
 constexpr double kBrickWork = 6.0;
 
 double work_of(const SubtreeSize& size) { return kBrickWork * size.bricks + static_cast<double>(size.segments); }
 
-// Consecutive subtrees for each of `count` parts, with about equal work.
-std::vector<SubtreeRange> ranges_of(std::span<const SubtreeSize> sizes, std::size_t count) {
+double work_of_all(std::span<const SubtreeSize> sizes) {
     double all = 0.0;
     for (const SubtreeSize& size : sizes) all += work_of(size);
+    return all;
+}
+
+// Of the work of all subtrees, the share of those in the set.
+double share_of(std::span<const std::uint8_t> set, std::span<const SubtreeSize> sizes) {
+    double work = 0.0;
+    for (std::size_t t = 0; t < sizes.size(); ++t)
+        if (set[t] != 0) work += work_of(sizes[t]);
+    return work / std::max(work_of_all(sizes), 1.0);
+}
+
+// Consecutive subtrees for each of `count` parts, with about equal work.
+std::vector<SubtreeRange> ranges_of(std::span<const SubtreeSize> sizes, std::size_t count) {
+    const double all = work_of_all(sizes);
     std::vector<SubtreeRange> ranges;
     double before = 0.0;
     std::uint32_t at = 0;
@@ -81,22 +95,15 @@ public:
         octree_->enter(sizes);
         ranges_ = ranges_of(sizes, part_.count);
         std::vector<std::uint8_t> wanted(sizes.size(), 0);
-        double own = 0.0, all = 0.0;
-        for (std::uint32_t t = 0; t < sizes.size(); ++t) {
-            all += work_of(sizes[t]);
-            if (range().holds(t)) wanted[t] = 1, own += work_of(sizes[t]);
-        }
-        statistics_.share = own / std::max(all, 1.0);
+        std::fill(wanted.begin() + range().first, wanted.begin() + range().end, 1);
+        statistics_.share = share_of(wanted, sizes);
         const auto touching = touching_subtrees(octree_->octree());
         add_ring(wanted, touching);
         fill_ = wanted;
         // A subtree that is filled looks at the bricks around it, and these at those around them.
         for (int ring = 0; ring < 2; ++ring) add_ring(wanted, touching);
-        double made = 0.0;
-        for (std::uint32_t t = 0; t < sizes.size(); ++t)
-            if (wanted[t] != 0) made += work_of(sizes[t]);
         const PolygonizeMode mode = options_.disk != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
-        auto possible = check_feasible(field_, sizing_, options_, mode, made / std::max(all, 1.0));
+        auto possible = check_feasible(field_, sizing_, options_, mode, share_of(wanted, sizes));
         if (!possible) return possible;
         schedule_ = schedule_subtrees(octree_->octree());
         octree_->build(wanted, job);
@@ -271,16 +278,9 @@ TriangleMesh gather(Team& team, PartMaking& making, std::span<const SubtreeCount
     mesh.resize_vertices(whole.vertices);
     mesh.triangles.resize(whole.triangles);
     of_part(0, here.data(), [&](const Stretches& at) {
-        const auto copy = [](const auto& from, std::uint64_t begin, auto& to, std::uint64_t at_there,
-                             std::uint64_t count) { std::copy_n(from.data() + begin, count, to.data() + at_there); };
-        for (const Stretch* s : {&at.vertices, &at.added}) {
-            copy(part.positions, s->from, mesh.positions, s->to, s->count);
-            copy(part.normals, s->from, mesh.normals, s->to, s->count);
-            copy(part.radii, s->from, mesh.radii, s->to, s->count);
-            copy(part.branches, s->from, mesh.branches, s->to, s->count);
-            copy(part.dominance, s->from, mesh.dominance, s->to, s->count);
-        }
-        copy(part.triangles, at.triangles.from, mesh.triangles, at.triangles.to, at.triangles.count);
+        for (const Stretch* s : {&at.vertices, &at.added}) bricks::copy_vertices(part, s->from, mesh, s->to, s->count);
+        std::copy_n(part.triangles.data() + at.triangles.from, at.triangles.count,
+                    mesh.triangles.data() + at.triangles.to);
     });
     part = {};
     for (std::size_t rank = 1; rank < team.size(); ++rank)

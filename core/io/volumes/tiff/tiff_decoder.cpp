@@ -1,6 +1,7 @@
 #include "core/io/volumes/tiff/tiff_decoder.h"
 
 #include "core/base/own_process.h"
+#include "core/io/binary_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -171,11 +172,9 @@ std::string decode_small_tiffs(std::string_view input) {
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
     std::string pixels;
-    while (!input.empty()) {
-        std::uint64_t length = 0;
-        std::memcpy(&length, input.data(), sizeof(length));
-        MemoryFile file{input.substr(sizeof(length), length)};
-        input.remove_prefix(sizeof(length) + length);
+    while (const auto length = take_number<std::uint64_t>(input)) {
+        MemoryFile file{input.substr(0, *length)};
+        input.remove_prefix(*length);
         const std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFClientOpen("pages", "rm", &file, read_memory,
                                                                               write_memory, seek_memory, close_memory,
                                                                               size_of_memory, nullptr, nullptr),
@@ -202,10 +201,7 @@ Result<std::vector<std::string>> decode_tiff(const std::vector<TiffSegments>& al
     std::uint64_t decoded = 0, largest = 0;
     for (const TiffSegments& each : all) {
         const std::string file = small_tiff(each);
-        const std::uint64_t length = file.size();
-        std::array<char, sizeof(length)> bytes{};
-        std::memcpy(bytes.data(), &length, sizeof(length));
-        input.append(bytes.data(), bytes.size());
+        append_number<std::uint64_t>(input, file.size());
         input += file;
         decoded += each.decoded_bytes();
         largest = std::max(largest, each.width * each.height * each.bits / 8);

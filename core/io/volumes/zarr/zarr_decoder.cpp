@@ -1,11 +1,10 @@
 #include "core/io/volumes/zarr/zarr_decoder.h"
 
 #include "core/base/own_process.h"
+#include "core/io/binary_numbers.h"
 #include "core/io/inflate.h"
 
-#include <array>
 #include <blosc.h>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -15,35 +14,22 @@ namespace {
 
 constexpr const char* kChunkAgain = "copy or write it again";
 
-void append_number(std::string& bytes, std::uint64_t number) {
-    std::array<char, sizeof(number)> text{};
-    std::memcpy(text.data(), &number, sizeof(number));
-    bytes.append(text.data(), text.size());
-}
-std::uint64_t taken_number(std::string_view& bytes) {
-    std::uint64_t number = 0;
-    std::memcpy(&number, bytes.data(), sizeof(number));
-    bytes.remove_prefix(sizeof(number));
-    return number;
-}
-
 // `input`: the bytes of a decoded chunk, then each encoded chunk after its length. The answer: the decoded chunks. If
 // one cannot be decoded, the answer ends before it.
 std::string decode_blosc(std::string_view input) {
-    const std::uint64_t chunk_bytes = taken_number(input);
+    const std::uint64_t chunk_bytes = take_number<std::uint64_t>(input).value_or(0);
     std::string decoded;
-    while (!input.empty()) {
-        const std::uint64_t length = taken_number(input);
+    while (const auto length = take_number<std::uint64_t>(input)) {
         const std::size_t begin = decoded.size();
         std::size_t bytes = 0;
-        if (blosc_cbuffer_validate(input.data(), length, &bytes) < 0 || bytes != chunk_bytes) break;
+        if (blosc_cbuffer_validate(input.data(), *length, &bytes) < 0 || bytes != chunk_bytes) break;
         decoded.resize(begin + chunk_bytes);
         const int got = blosc_decompress_ctx(input.data(), decoded.data() + begin, chunk_bytes, 1);
         if (got < 0 || static_cast<std::uint64_t>(got) != chunk_bytes) {
             decoded.resize(begin);
             break;
         }
-        input.remove_prefix(length);
+        input.remove_prefix(*length);
     }
     return decoded;
 }
@@ -62,7 +48,7 @@ Result<std::vector<std::string>> decode_all_blosc(const ZarrArray& array, const 
         if (chunks[n].bytes.size() < BLOSC_MIN_HEADER_LENGTH)
             return damaged_chunk(chunks[n].name, "is shorter than the header of blosc");
         there.push_back(n);
-        append_number(input, chunks[n].bytes.size());
+        append_number<std::uint64_t>(input, chunks[n].bytes.size());
         input += chunks[n].bytes;
     }
     std::vector<std::string> decoded(chunks.size());

@@ -91,7 +91,7 @@ struct SurfaceVertices : VertexArrays {
 
 // Copies `count` vertices from index `begin` of `from` to index `at` of arrays like those of a mesh.
 template <class Arrays>
-void copy_vertices(const SurfaceVertices& from, std::size_t begin, Arrays& to, std::size_t at, std::size_t count) {
+void copy_vertices(const VertexArrays& from, std::size_t begin, Arrays& to, std::size_t at, std::size_t count) {
     std::copy_n(from.positions.data() + begin, count, to.positions.data() + at);
     std::copy_n(from.normals.data() + begin, count, to.normals.data() + at);
     std::copy_n(from.radii.data() + begin, count, to.radii.data() + at);
