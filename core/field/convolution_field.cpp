@@ -6,24 +6,20 @@
 
 namespace ramus::field {
 
-namespace {
-
-std::vector<CullingSegment> culling_segments(const Skeleton& skeleton) {
-    const glm::dvec3 origin = skeleton.extent().middle();
-    std::vector<CullingSegment> segments;
-    segments.reserve(skeleton.segments().size());
-    for (const FieldSegment& s : skeleton.segments())
-        segments.push_back({static_cast<float>(s.ax - origin.x), static_cast<float>(s.ay - origin.y),
-                            static_cast<float>(s.az - origin.z), s.ux, s.uy, s.uz, s.length, s.radius, s.slope,
-                            s.beyond, s.thickest()});
-    return segments;
+const CullingSegment* ConvolutionField::Culling::of(const Skeleton& skeleton) {
+    std::call_once(made_, [&] {
+        const glm::dvec3 origin = skeleton.extent().middle();
+        segments_.reserve(skeleton.segments().size());
+        for (const FieldSegment& s : skeleton.segments())
+            segments_.push_back({static_cast<float>(s.ax - origin.x), static_cast<float>(s.ay - origin.y),
+                                 static_cast<float>(s.az - origin.z), s.ux, s.uy, s.uz, s.length, s.radius, s.slope,
+                                 s.beyond, s.thickest()});
+    });
+    return segments_.data();
 }
 
-} // namespace
-
 ConvolutionField::ConvolutionField(Skeleton skeleton, const Kernel& kernel)
-    : kernel_(kernel), skeleton_(std::move(skeleton)),
-      culling_(std::make_shared<const std::vector<CullingSegment>>(culling_segments(skeleton_))) {}
+    : kernel_(kernel), skeleton_(std::move(skeleton)), culling_(std::make_shared<Culling>()) {}
 
 ConvolutionField::ConvolutionField(const tree::PreparedTree& prepared, double width)
     : ConvolutionField(Skeleton(prepared, gaussian(width).support_radii), gaussian(width)) {}

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,7 +34,7 @@ public:
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const ConvolutionField& before) const;
     [[nodiscard]] ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
                                              std::span<std::uint8_t> reaching) const {
-        return kernel_.sum->bound_children(kernel_, culling_->data(), list, cubes, reaching);
+        return kernel_.sum->bound_children(kernel_, culling_->of(skeleton_), list, cubes, reaching);
     }
     [[nodiscard]] std::unique_ptr<BrickField> in_brick(Choice choice = Choice::kReaching) const {
         auto brick = kernel_.sum->in_brick(kernel_, segments().data(), choice);
@@ -42,9 +43,20 @@ public:
     }
 
 private:
+    // For all segments, present or not. Made when it is first asked for, because contacts are searched before, which
+    // takes memory.
+    class Culling {
+    public:
+        [[nodiscard]] const CullingSegment* of(const Skeleton& skeleton);
+
+    private:
+        std::once_flag made_;
+        std::vector<CullingSegment> segments_;
+    };
+
     Kernel kernel_;
     Skeleton skeleton_;
-    std::shared_ptr<const std::vector<CullingSegment>> culling_; // for all segments, present or not
+    std::shared_ptr<Culling> culling_;
 };
 
 } // namespace ramus::field

@@ -4,12 +4,10 @@
 #include "core/field/kernel_radii.h"
 #include "core/field/vessel_field.h"
 #include "core/mesh/systems.h"
-#include "core/tree/contacts/links.h"
 #include "core/tree/curves.h"
 #include "core/tree/smooth.h"
 
 #include <algorithm>
-#include <oneapi/tbb/parallel_invoke.h>
 #include <optional>
 #include <utility>
 
@@ -76,11 +74,10 @@ field::ConvolutionField sum_of(const tree::VesselTree& source, const SurfaceOpti
                                const PreparedTree& prepared) {
     const field::Kernel kernel = kernel_of(options);
     const bool exact = options.radii == Radii::kExact;
-    const PreparedTree& ready = exact ? field::with_kernel_radii(prepared, kernel) : prepared;
-    if (!(options.prune_ratio > 0.0)) return {field::Skeleton(ready, kernel.support_radii), kernel};
+    if (!(options.prune_ratio > 0.0)) return {field::Skeleton(prepared, kernel.support_radii), kernel};
     field::Extent extent = extent_of_all_parts(source, options, kernel.support_radii * (exact ? field::kWidest : 1.0));
     if (exact) extent.thinnest *= field::kNarrowest;
-    return {field::Skeleton(ready, kernel.support_radii, extent), kernel};
+    return {field::Skeleton(prepared, kernel.support_radii, extent), kernel};
 }
 
 } // namespace
@@ -96,18 +93,22 @@ field::Field separated_field(const FieldParts& parts) {
 
 Result<TreeField> make_tree_field(const tree::VesselTree& source, const SurfaceOptions& options,
                                   const SumCheck& check) {
+    const field::Kernel kernel = kernel_of(options);
     PreparedTree prepared = prepare_tree(source, options);
-    const BlendRow& row = row_of(options.blend);
-    std::optional<field::ConvolutionField> sum;
-    std::optional<tree::Links> links;
-    tbb::parallel_invoke([&] { sum = sum_of(source, options, prepared); },
-                         [&] {
-                             if (row.separates) links.emplace(prepared);
-                         });
+    if (options.radii == Radii::kExact) prepared = field::with_kernel_radii(std::move(prepared), kernel);
+    std::optional<field::ConvolutionField> sum = sum_of(source, options, prepared);
     if (check)
         if (auto possible = check(*sum); !possible) return tl::unexpected(possible.error());
+    const BlendRow& row = row_of(options.blend);
     auto contacts = std::make_shared<tree::Contacts>();
-    if (links) *contacts = tree::find_contacts(prepared, *links, kernel_of(options).limits);
+    if (row.separates) {
+        // The search takes as much memory as the segments, which are quickly made again.
+        const field::Extent extent = sum->extent();
+        sum.reset();
+        *contacts = tree::find_contacts(prepared, kernel.limits);
+        sum.emplace(field::Skeleton(prepared, kernel.support_radii, extent), kernel);
+    }
+    prepared.kernel_radii = {};
     field::Field field = row.make({prepared, *sum, std::move(contacts), options.rims});
     return TreeField{std::move(prepared), std::move(field)};
 }

@@ -71,10 +71,10 @@ std::vector<OpenEnd> find_open_ends(const Graph& graph, DisjointSets& pieces) {
         ends[point].point = point;
         look_along(prepared.tree, places, other, ends[point]);
     };
-    for (std::uint32_t n = 0; n < links.all().size(); ++n)
+    for (std::uint32_t n = 0; n < links.size(); ++n)
         for (std::uint32_t pair = touching.first(n); pair < touching.first(n + 1); ++pair) {
-            const Link& a = links[n];
-            const Link& b = links[touching.other(pair).link];
+            const Link a = links[n];
+            const Link b = links[touching.other(pair).link];
             look(a.from, b), look(a.to, b);
             look(b.from, a), look(b.to, a);
         }

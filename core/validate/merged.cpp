@@ -46,7 +46,7 @@ std::vector<PassingPair> passing_pairs(const Axes& axes, const tree::ContactLimi
     const tree::Contacts contacts = tree::find_contacts(axes.prepared, limits);
     const tree::Links& links = axes.links;
     std::vector<PassingPair> pairs;
-    for (std::uint32_t a = 0; a < links.all().size(); ++a)
+    for (std::uint32_t a = 0; a < links.size(); ++a)
         for (const tree::Contacts::Partner& partner : contacts.partners_of(a)) {
             if (partner.piece <= a || partner.parting) continue;
             const std::uint32_t b = partner.piece;

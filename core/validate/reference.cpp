@@ -112,12 +112,13 @@ bool is_alone(const Place& place) {
 }
 
 NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
-    along_.resize(links.all().size(), 0.0);
+    along_.resize(links.size(), 0.0);
     for (std::size_t n = 1; n < along_.size(); ++n)
         if (links[n].branch == links[n - 1].branch)
             along_[n] = along_[n - 1] + glm::distance(links[n - 1].a.position, links[n - 1].b.position);
     const auto hold = [&](Bounds<glm::dvec3>& box, std::uint32_t link) {
-        for (const tree::Point* end : {&links[link].a, &links[link].b}) box.hold(end->position, kOwn * end->radius);
+        const tree::Link of = links[link];
+        for (const tree::Point& end : {of.a, of.b}) box.hold(end.position, kOwn * end.radius);
     };
     const auto middle = [&](std::uint32_t link, int axis) {
         return links[link].a.position[axis] + links[link].b.position[axis];
@@ -127,7 +128,7 @@ NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
 
 // `radii`: the sum of the radii of the place and of the link.
 bool NearbyVessels::is_out(const ButFor& but, std::uint32_t link, double share, double radii) const {
-    const tree::Link& one = links_[link];
+    const tree::Link one = links_[link];
     if (one.branch != but.near_on) return false;
     const double along = along_[link] + share * glm::distance(one.a.position, one.b.position);
     return std::abs(along - but.along) < kFar * radii;

@@ -14,8 +14,7 @@ class AlongTree {
 public:
     // The search passes a point of the tree only if its closeness to the start link is below `limit`. The two ends of
     // the start link are always passed.
-    AlongTree(const Links& links, double limit)
-        : links_(links), limit_(limit), reached_from_(links.all().size(), kNoLink) {}
+    AlongTree(const Links& links, double limit) : links_(links), limit_(limit), reached_from_(links.size(), kNoLink) {}
 
     // Runs the search from `link`. The other functions return its result.
     void start(std::uint32_t link) {
@@ -26,7 +25,7 @@ public:
         go_on_through(links_[link].to);
         for (std::size_t n = 1; n < all_.size(); ++n) {
             const auto [at, came_through] = all_[n];
-            const Link& here = links_[at];
+            const Link here = links_[at];
             const bool to_end = here.from == came_through;
             if (closer(to_end ? here.b : here.a, links_[link], limit_)) go_on_through(to_end ? here.to : here.from);
         }

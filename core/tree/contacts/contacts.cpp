@@ -41,8 +41,8 @@ Contact describe(const Links& links, const Island& island, const Contacts& conta
     std::array<Point, 2> closest;
     glm::dvec3 moved_apart(0.0);
     for (const OrientedPair& pair : island.pairs) {
-        const Link& a = links[pair.link[0]];
-        const Link& b = links[pair.link[1]];
+        const Link a = links[pair.link[0]];
+        const Link b = links[pair.link[1]];
         stretches[0][pair.link[0]] |= places_beside(a, b, close);
         stretches[1][pair.link[1]] |= places_beside(b, a, close);
         const Approach approach = closest_approach(a, b);
@@ -81,10 +81,7 @@ ContactLimits limits_of_gaussian(double width) {
 }
 
 Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits) {
-    return find_contacts(prepared, Links(prepared), limits);
-}
-
-Contacts find_contacts(const PreparedTree& prepared, const Links& links, const ContactLimits& limits) {
+    const Links links(prepared);
     const TouchingLinks touching(links, limits.reach, limits.merged);
     const Islands islands = find_islands(links, touching, limits);
     Contacts contacts;
@@ -119,7 +116,7 @@ Contacts find_contacts(const PreparedTree& prepared, const Links& links, const C
     // A pair may be part of both a fold and a contact.
     const auto same = [&](const Row& a, const Row& b) { return pieces(a) == pieces(b); };
     rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
-    contacts.first_partner.assign(links.all().size() + 1, 0);
+    contacts.first_partner.assign(links.size() + 1, 0);
     for (const Row& row : rows) {
         ++contacts.first_partner[row.piece + 1];
         contacts.partners.push_back(row.partner);

@@ -35,8 +35,6 @@
 
 namespace ramus::tree {
 
-class Links;
-
 // One of the two vessels of a contact.
 struct ContactSide {
     std::vector<int> branches; // ids in the file's tree, ascending
@@ -102,7 +100,5 @@ struct ContactLimits {
 [[nodiscard]] ContactLimits limits_of_gaussian(double width);
 
 [[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits);
-// The same with the links of the tree, which can be shared between calls with different limits.
-[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const Links& links, const ContactLimits& limits);
 
 } // namespace ramus::tree

@@ -32,8 +32,8 @@ bool may_be_beside(const Link& a, const Link& b) {
 } // namespace
 
 bool Gaps::between(std::uint32_t first, std::uint32_t second) {
-    const Link& a = links_[first];
-    const Link& b = links_[second];
+    const Link a = links_[first];
+    const Link b = links_[second];
     if (!may_be_beside(a, b)) return false;
     const Approach approach = closest_approach(a, b);
     const Point p = point_on(a, approach.share_a), q = point_on(b, approach.share_b);

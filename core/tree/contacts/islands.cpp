@@ -32,21 +32,20 @@ struct Step {
 class Walks {
 public:
     Walks(const Links& links, const TouchingLinks& touching, double limit)
-        : links_(links), touching_(touching), low_(touching.size()), steps_of_(touching.size()),
+        : links_(links), touching_(touching), low_(touching.size()), first_step_(touching.size()),
           steps_((touching.size() + kAtOnce - 1) / kAtOnce) {
-        tbb::parallel_for(std::size_t{0}, links.all().size(), [&](std::size_t a) {
+        tbb::parallel_for(std::size_t{0}, links.size(), [&](std::size_t a) {
             for (PairId pair = touching.first(a); pair < touching.first(a + 1); ++pair)
                 low_[pair] = static_cast<std::uint32_t>(a);
         });
         tbb::parallel_for(std::size_t{0}, steps_.size(), [&](std::size_t n) {
             const std::size_t end = std::min((n + 1) * kAtOnce, size());
             for (std::size_t pair = n * kAtOnce; pair < end; ++pair) {
-                const std::size_t first = steps_[n].size();
+                first_step_[pair] = static_cast<std::uint32_t>(steps_[n].size());
                 find_steps(low_[pair], high(static_cast<PairId>(pair)), true, limit, steps_[n]);
                 find_steps(high(static_cast<PairId>(pair)), low_[pair], false, limit, steps_[n]);
-                steps_of_[pair] = {static_cast<std::uint32_t>(first),
-                                   static_cast<std::uint32_t>(steps_[n].size() - first)};
             }
+            steps_[n].shrink_to_fit();
         });
     }
 
@@ -55,18 +54,17 @@ public:
     [[nodiscard]] std::uint32_t high(PairId pair) const { return touching_.other(pair).link; }
     [[nodiscard]] double closeness(PairId pair) const { return static_cast<double>(touching_.other(pair).closeness); }
     [[nodiscard]] std::span<const Step> steps(PairId pair) const {
-        return std::span(steps_[pair / kAtOnce]).subspan(steps_of_[pair].first, steps_of_[pair].count);
+        const std::span<const Step> block(steps_[pair / kAtOnce]);
+        const bool last = (pair + 1) % kAtOnce == 0 || pair + 1 == size();
+        return block.subspan(first_step_[pair], (last ? block.size() : first_step_[pair + 1]) - first_step_[pair]);
     }
 
 private:
     static constexpr std::size_t kAtOnce = 1024;
-    struct Steps {
-        std::uint32_t first = 0, count = 0;
-    };
 
     void find_steps(std::uint32_t moving, std::uint32_t waiting, bool first, double limit,
                     std::vector<Step>& steps) const {
-        const Link& link = links_[moving];
+        const Link link = links_[moving];
         for (const bool at_end : {false, true}) {
             const double on_the_way = tree::closeness(at_end ? link.b : link.a, links_[waiting]);
             if (on_the_way >= limit) continue;
@@ -77,8 +75,8 @@ private:
 
     const Links& links_;
     const TouchingLinks& touching_;
-    std::vector<std::uint32_t> low_; // by pair: its lower link
-    std::vector<Steps> steps_of_;    // by pair: its steps in a block of steps_, which is for kAtOnce pairs
+    std::vector<std::uint32_t> low_;        // by pair: its lower link
+    std::vector<std::uint32_t> first_step_; // by pair: in its block of steps_, which is for kAtOnce pairs
     std::vector<std::vector<Step>> steps_;
 };
 
@@ -323,7 +321,7 @@ private:
         std::set<std::array<std::uint32_t, 2>> known;
         const auto go_on_from = [&](const OrientedPair& pair, bool to_other_branches) {
             for (std::size_t side = 0; side < 2; ++side) {
-                const Link& link = links_[pair.link[side]];
+                const Link link = links_[pair.link[side]];
                 for (const std::uint32_t point : {link.from, link.to})
                     for (const std::uint32_t next : links_.at(point)) {
                         if (to_other_branches && links_[next].branch == link.branch) continue;

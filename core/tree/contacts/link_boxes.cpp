@@ -37,7 +37,7 @@ std::vector<std::uint32_t> in_order(const std::vector<Box>& boxes) {
 }
 
 BoxTree sorted_boxes(const Links& links, double limit, std::vector<std::uint32_t>& order) {
-    std::vector<Box> boxes(links.all().size());
+    std::vector<Box> boxes(links.size());
     tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t n) { boxes[n] = box_around(links[n], limit); });
     order = in_order(boxes);
     return BoxTree(BoxTree::level_of(boxes.size(), [&](std::size_t n) { return boxes[order[n]]; }));

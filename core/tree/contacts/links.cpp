@@ -43,10 +43,10 @@ Approach closest_approach(const Link& a, const Link& b) {
     return best;
 }
 
-Links::Links(const PreparedTree& prepared) {
+Links::Links(const PreparedTree& prepared) : points_(prepared.tree.points) {
     const VesselTree& tree = prepared.tree;
     of_segment_.reserve(tree.segment_count());
-    links_.reserve(tree.segment_count());
+    ends_.reserve(tree.segment_count());
     for (const Branch& branch : tree.branches) {
         std::size_t first = 0;
         double length = 0.0;
@@ -55,19 +55,19 @@ Links::Links(const PreparedTree& prepared) {
             const std::uint32_t to = branch.points[i];
             const int source = prepared.segment_source[of_segment_.size()];
             length += glm::distance(tree.points[branch.points[i - 1]].position, tree.points[to].position);
-            of_segment_.push_back(static_cast<std::uint32_t>(links_.size()));
+            of_segment_.push_back(static_cast<std::uint32_t>(ends_.size()));
             const double thinner = std::min(tree.points[from].radius, tree.points[to].radius);
             const bool more = i + 1 < branch.points.size() && prepared.segment_source[of_segment_.size()] == source;
             if (more && length < kLinkRadii * thinner) continue;
-            links_.push_back({from, to, tree.points[from], tree.points[to], source});
+            ends_.push_back({from, to, source});
             first = i;
             length = 0.0;
         }
     }
     at_point_ = Grouped<std::uint32_t>(tree.points.size(), [&](const auto& put) {
-        for (std::size_t n = 0; n < links_.size(); ++n) {
-            put(links_[n].from, static_cast<std::uint32_t>(n));
-            put(links_[n].to, static_cast<std::uint32_t>(n));
+        for (std::size_t n = 0; n < ends_.size(); ++n) {
+            put(ends_[n].from, static_cast<std::uint32_t>(n));
+            put(ends_[n].to, static_cast<std::uint32_t>(n));
         }
     });
 }

@@ -54,23 +54,33 @@ struct Approach {
 
 class Links {
 public:
+    // Keeps a reference to the points, which must stay where they are.
     explicit Links(const PreparedTree& prepared);
+    explicit Links(PreparedTree&&) = delete;
 
-    [[nodiscard]] const std::vector<Link>& all() const { return links_; }
-    [[nodiscard]] const Link& operator[](std::size_t n) const { return links_[n]; }
+    [[nodiscard]] std::size_t size() const { return ends_.size(); }
+    [[nodiscard]] Link operator[](std::size_t n) const {
+        const Ends& of = ends_[n];
+        return {of.from, of.to, points_[of.from], points_[of.to], of.branch};
+    }
     // The links that begin or end at a point of the tree.
     [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t point) const { return at_point_.of(point); }
     // By segment of the prepared tree (branches in order, segments along each): the link that contains it.
     [[nodiscard]] const std::vector<std::uint32_t>& of_segment() const { return of_segment_; }
     // Whether two links share a point of the tree.
     [[nodiscard]] bool joined(std::size_t a, std::size_t b) const {
-        const Link& p = links_[a];
-        const Link& q = links_[b];
+        const Ends& p = ends_[a];
+        const Ends& q = ends_[b];
         return p.from == q.from || p.from == q.to || p.to == q.from || p.to == q.to;
     }
 
 private:
-    std::vector<Link> links_;
+    struct Ends {
+        std::uint32_t from, to;
+        int branch;
+    };
+    std::span<const Point> points_; // of the tree
+    std::vector<Ends> ends_;
     std::vector<std::uint32_t> of_segment_;
     Grouped<std::uint32_t> at_point_;
 };

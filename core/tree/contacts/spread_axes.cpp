@@ -92,7 +92,7 @@ public:
         for (const OrientedPair& oriented : island.pairs) {
             ClosePair pair{oriented.link, std::numeric_limits<double>::max(), {}, {}, {}};
             for (std::size_t side = 0; side < 2; ++side) {
-                const Link& link = links_[pair.link[side]];
+                const Link link = links_[pair.link[side]];
                 pair.ends[2 * side] = number(link.from), pair.ends[2 * side + 1] = number(link.to);
                 pair.thinner = std::min({pair.thinner, link.a.radius, link.b.radius});
                 pair.at[side] = link;
@@ -168,7 +168,7 @@ private:
     void list_neighbours() {
         for (MovedPoint& moved : points_)
             for (const std::uint32_t n : links_.at(moved.point)) {
-                const Link& link = links_[n];
+                const Link link = links_[n];
                 const bool starts = link.from == moved.point;
                 const auto found = numbers_.find(starts ? link.to : link.from);
                 moved.beside.push_back(found == numbers_.end() ? kFixed : found->second);
@@ -232,7 +232,7 @@ std::vector<AxisMove> spread_axes(const Links& links, std::span<const Island> is
         if (island.contact) any = spreading.add(island) || any;
     if (!any) return {};
     spreading.run();
-    std::vector<AxisMove> moves(links.all().size());
+    std::vector<AxisMove> moves(links.size());
     for (std::size_t n = 0; n < moves.size(); ++n)
         moves[n] = {glm::vec3(spreading.move(links[n].from)), glm::vec3(spreading.move(links[n].to))};
     return moves;

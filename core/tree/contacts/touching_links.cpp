@@ -66,11 +66,11 @@ TouchingLinks::TouchingLinks(const Links& links, double limit, double together) 
         for (std::size_t leaf = n * kLeavesAtOnce; leaf < std::min((n + 1) * kLeavesAtOnce, boxes.leaves()); ++leaf)
             find_pairs(links, boxes, leaf, limit, search, found[n]);
     });
-    others_ = Grouped<Other>(links.all().size(), [&](const auto& put) {
+    others_ = Grouped<Other>(links.size(), [&](const auto& put) {
         for (const auto& some : found)
             for (const Found& pair : some) put(pair.low, pair.other);
     });
-    tbb::parallel_for(std::size_t{0}, links.all().size(),
+    tbb::parallel_for(std::size_t{0}, links.size(),
                       [&](std::size_t n) { std::ranges::sort(others_.of(n), {}, &Other::link); });
 }
 

@@ -12,22 +12,22 @@ namespace {
 
 constexpr double kLimit = 1.4, kTogether = 1.1;
 
-Links links_of(const VesselTree& tree) {
+PreparedTree prepared_of(const VesselTree& tree) {
     PreparedTree prepared;
     prepared.tree = tree;
     for (std::size_t b = 0; b < tree.branches.size(); ++b)
         prepared.segment_source.insert(prepared.segment_source.end(), tree.branches[b].points.size() - 1,
                                        static_cast<int>(b));
-    return Links(prepared);
+    return prepared;
 }
 
 // The links to which one can walk along the tree and stay close to one of them.
 std::vector<bool> along_tree(const Links& links, std::uint32_t from) {
-    std::vector<bool> reached(links.all().size(), false);
+    std::vector<bool> reached(links.size(), false);
     std::vector<std::uint32_t> open{from};
     reached[from] = true;
     while (!open.empty()) {
-        const Link& at = links[open.back()];
+        const Link at = links[open.back()];
         const bool starts = open.back() == from;
         open.pop_back();
         for (const bool end : {false, true}) {
@@ -44,8 +44,9 @@ std::vector<bool> along_tree(const Links& links, std::uint32_t from) {
 TEST_CASE("all pairs of links that touch are found, but for neighbours along the tree") {
     for (const std::uint64_t seed : {1U, 2U}) {
         CAPTURE(seed);
-        const Links links = links_of(test::packed_trees(seed));
-        const auto count = static_cast<std::uint32_t>(links.all().size());
+        const PreparedTree prepared = prepared_of(test::packed_trees(seed));
+        const Links links(prepared);
+        const auto count = static_cast<std::uint32_t>(links.size());
         const TouchingLinks touching(links, kLimit, kTogether);
         std::vector<std::vector<bool>> along;
         for (std::uint32_t a = 0; a < count; ++a) along.push_back(along_tree(links, a));
