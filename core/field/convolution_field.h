@@ -36,6 +36,7 @@ public:
                                              std::span<std::uint8_t> reaching) const {
         return kernel_.sum->bound_children(kernel_, culling_->of(skeleton_), list, cubes, reaching);
     }
+    [[nodiscard]] bool keeps_apart(SegmentIndices /*list*/) const { return false; }
     [[nodiscard]] std::unique_ptr<BrickField> in_brick(Choice choice = Choice::kReaching) const {
         auto brick = kernel_.sum->in_brick(kernel_, segments().data(), choice);
         brick->set_cut_ends(skeleton_.cut_ends());

@@ -32,6 +32,8 @@ concept FieldModel = std::copy_constructible<M> && requires(const M& model, cons
     // Bounds over the children of a cube, from the segments in `list`. `reaching` receives for each of them one bit per
     // child that its support reaches. Where the field may reach the isovalue the upper bound says only that.
     { model.bound_children(list, cubes, reaching) } -> std::same_as<ChildBounds>;
+    // Whether vessels may be kept apart in a cube that these segments reach, which takes far longer than the rest.
+    { model.keeps_apart(list) } -> std::same_as<bool>;
     // Which segments make the field differ from an earlier state; nothing when all of it may.
     { model.changes_since(before) } -> std::same_as<std::optional<SegmentChanges>>;
     // The same without the branches (ids in the file's tree) whose entry is not 0.
@@ -55,6 +57,7 @@ public:
                                              std::span<std::uint8_t> reaching) const {
         return model_->bound_children(list, cubes, reaching);
     }
+    [[nodiscard]] bool keeps_apart(SegmentIndices list) const { return model_->keeps_apart(list); }
     // Nothing for a state of another model, too.
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const Field& before) const {
         return model_->changes_since(*before.model_);
@@ -70,6 +73,7 @@ private:
         [[nodiscard]] virtual double support_radii() const = 0;
         [[nodiscard]] virtual ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
                                                          std::span<std::uint8_t> reaching) const = 0;
+        [[nodiscard]] virtual bool keeps_apart(SegmentIndices list) const = 0;
         [[nodiscard]] virtual std::optional<SegmentChanges> changes_since(const Any& before) const = 0;
         [[nodiscard]] virtual std::shared_ptr<const Any> without(std::span<const std::uint8_t> hidden) const = 0;
         [[nodiscard]] virtual std::unique_ptr<BrickField> in_brick() const = 0;
@@ -83,6 +87,7 @@ private:
                                                  std::span<std::uint8_t> reaching) const override {
             return model.bound_children(list, cubes, reaching);
         }
+        [[nodiscard]] bool keeps_apart(SegmentIndices list) const override { return model.keeps_apart(list); }
         [[nodiscard]] std::optional<SegmentChanges> changes_since(const Any& before) const override {
             const auto* same = dynamic_cast<const Of*>(&before);
             return same != nullptr ? model.changes_since(same->model) : std::nullopt;

@@ -54,6 +54,11 @@ ChildBounds VesselField::bound_children(SegmentIndices list, const ChildCubes& c
     return bounds;
 }
 
+bool VesselField::keeps_apart(SegmentIndices list) const {
+    thread_local std::vector<std::uint32_t> scratch;
+    return !contacts_->empty() && any_apart(*pieces_, list, scratch);
+}
+
 std::unique_ptr<BrickField> VesselField::in_brick() const {
     if (contacts_->empty()) return sum_.in_brick();
     auto brick = std::make_unique<VesselBrick>(sum_, *pieces_, rims_);

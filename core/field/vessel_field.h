@@ -37,6 +37,7 @@ public:
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const VesselField& before) const;
     [[nodiscard]] ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
                                              std::span<std::uint8_t> reaching) const;
+    [[nodiscard]] bool keeps_apart(SegmentIndices list) const;
     [[nodiscard]] std::unique_ptr<BrickField> in_brick() const;
 
 private:

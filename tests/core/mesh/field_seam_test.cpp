@@ -142,6 +142,7 @@ public:
     private:
         field::GridAxes axes_;
     };
+    [[nodiscard]] bool keeps_apart(field::SegmentIndices /*list*/) const { return false; }
     [[nodiscard]] std::unique_ptr<field::BrickField> in_brick() const { return std::make_unique<InBrick>(); }
 
 private:

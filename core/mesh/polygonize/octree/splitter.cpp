@@ -241,7 +241,11 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
 
 SubtreeSize size_of_subtree(const Splitter& splitter, const Seed& seed) {
     const Part part = part_of(splitter, seed);
-    return {static_cast<std::uint32_t>(part.bricks.size()), part.lists.size()};
+    const auto is_parted = [&](const Brick& brick) {
+        return splitter.field.keeps_apart(std::span(part.lists).subspan(brick.list_begin, brick.list_count));
+    };
+    return {static_cast<std::uint32_t>(part.bricks.size()),
+            static_cast<std::uint32_t>(std::ranges::count_if(part.bricks, is_parted)), part.lists.size()};
 }
 
 } // namespace ramus::mesh::bricks

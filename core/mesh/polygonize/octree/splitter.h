@@ -99,6 +99,7 @@ void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree&
 // What a subtree holds, counted without keeping it.
 struct SubtreeSize {
     std::uint32_t bricks = 0;
+    std::uint32_t parted = 0;   // bricks in which vessels may be kept apart
     std::uint64_t segments = 0; // in the lists of all bricks
 };
 [[nodiscard]] SubtreeSize size_of_subtree(const Splitter& splitter, const Seed& seed);

@@ -20,8 +20,9 @@ using Touching = Grouped<std::uint32_t>;
 // Adds all subtrees that touch those in the set, whose entry is not 0.
 void add_ring(std::vector<std::uint8_t>& set, const Touching& touching);
 
-// Of the estimated work of all subtrees, the share of those in the set.
-[[nodiscard]] double share_of(std::span<const std::uint8_t> set, std::span<const SubtreeSize> sizes);
+// Of the estimated work of all subtrees, the share of those in the range; of all bricks, the share of those in the set.
+[[nodiscard]] double share_of_work(std::span<const SubtreeSize> sizes, SubtreeRange range);
+[[nodiscard]] double share_of_bricks(std::span<const SubtreeSize> sizes, std::span<const std::uint8_t> set);
 
 // Consecutive subtrees for each of `count` parts, some of which may have none, such that the part with the most work
 // has about as little as possible. The work of a part is that of its subtrees and of those around that it computes,

@@ -35,19 +35,21 @@ PartMaking::PartMaking(const field::Field& field, const PolygonizeOptions& optio
 Result<void> PartMaking::plan(Job& job) {
     Stopwatch watch;
     octree_ = std::make_unique<PartialOctree>(field_, sizing_, job, memory_);
+    const Stopwatch counting;
     const std::vector<SubtreeSize> sizes = sizes_of_all(job);
+    statistics_.count_s = counting.seconds();
     if (job.cancelled() || sizes.size() < octree_->subtrees()) return fail("cancelled");
     octree_->enter(sizes);
     const Touching touching = touching_each(octree_->octree());
     ranges_ = divided(octree_->octree(), sizes, touching, part_.count);
     std::vector<std::uint8_t> wanted(sizes.size(), 0);
     std::fill(wanted.begin() + range().first, wanted.begin() + range().end, 1);
-    statistics_.share = share_of(wanted, sizes);
+    statistics_.share = share_of_work(sizes, range());
     // Joining asks for cells in the subtrees around. Filling these looks at the bricks around them, and these at
     // those around them.
     for (int ring = 0; ring < 3; ++ring) add_ring(wanted, touching);
     const PolygonizeMode mode = options_.disk != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
-    auto possible = check_feasible(field_, sizing_, options_, mode, share_of(wanted, sizes));
+    auto possible = check_feasible(field_, sizing_, options_, mode, share_of_bricks(sizes, wanted));
     if (!possible) return possible;
     schedule_ = schedule_subtrees(octree_->octree());
     octree_->build(wanted, job);
