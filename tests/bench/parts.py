@@ -5,7 +5,7 @@
 A simulation: one machine makes the parts in turn, as the processes of `mpirun -n N ramus-mpi mesh` make them at once. The
 work of a part is its octree, cells and triangles, with what it computes of its neighbours. The time of such a job is
 predicted as the longest part without its writing, plus what `ramus mesh` takes beyond the one part that is all: repairs
-and writing. A part by itself counts the bricks of the whole octree, which processes divide: so much is taken off. Times
+and writing. A part by itself finds the subtrees of the whole octree, which processes divide: so much is taken off. Times
 are of the processor, on one thread each; of two runs the shorter. Prints a table in Markdown.
 """
 
@@ -28,7 +28,7 @@ def made(command, index, count):
     _, part_s, part_mb, text = measured([*command, "--part", f"{index + 1}/{count}"])
     report = json.loads(text)
     part = report["part"]
-    spared = part["count_s"] * (1.0 - 1.0 / count)
+    spared = part["find_s"] * (1.0 - 1.0 / count)
     return (part["octree_s"] - spared + part["cells_s"] + part["join_s"],
             report["evaluations"], part["border_evaluations"], part_s - report["write_s"] - spared, part_mb)
 

@@ -31,7 +31,7 @@ void PartStatistics::add(const PartStatistics& more) {
     bricks_s += more.bricks_s, cells_s += more.cells_s, join_s += more.join_s;
     border_evaluations += more.border_evaluations;
     share = more.share;
-    count_s += more.count_s;
+    find_s += more.find_s;
 }
 
 Result<TriangleMesh> polygonize_part(const field::Field& field, const PolygonizeOptions& options, const PartOf& part,

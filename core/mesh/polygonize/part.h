@@ -21,7 +21,7 @@ struct PartOf {
 struct PartStatistics : PolygonizeStatistics {
     std::uint64_t border_evaluations = 0; // of subtrees that belong to other parts
     double share = 0.0;                   // of the estimated work
-    double count_s = 0.0;                 // of `bricks_s`: counting what all subtrees hold, which a team divides
+    double find_s = 0.0;                  // of `bricks_s`: finding all subtrees, which a team divides
 
     void add(const PartStatistics& more); // of another vessel system
 };

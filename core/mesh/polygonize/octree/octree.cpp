@@ -1,48 +1,12 @@
 #include "core/mesh/polygonize/octree/octree.h"
 
 #include "core/mesh/polygonize/octree/splitter.h"
+#include "core/mesh/polygonize/octree/subtree_groups.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <oneapi/tbb/parallel_for.h>
 
 namespace ramus::mesh::bricks {
-
-std::vector<Seed> find_subtrees(const Splitter& splitter, Octree& octree, const Job& job) {
-    const TopLists lists(splitter.field, splitter.sizing);
-    std::vector<Seed> frontier(1);
-    frontier[0].cube = lists.top_cube(octree.top_level);
-    for (bool some = true; some && !job.cancelled();) {
-        std::vector<std::uint32_t> upper_of(frontier.size());
-        some = false;
-        for (std::size_t i = 0; i < frontier.size(); ++i) {
-            if (frontier[i].is_subtree) continue;
-            some = true;
-            upper_of[i] = octree.add_upper_node();
-            if (upper_of[i] > 0) octree.enter(frontier[i].parent, frontier[i].child, upper_of[i]);
-        }
-        std::vector<std::vector<Seed>> next(frontier.size());
-        tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
-            if (job.cancelled()) return;
-            if (frontier[i].is_subtree) {
-                next[i].push_back(std::move(frontier[i]));
-                return;
-            }
-            thread_local Children children;
-            splitter.split_upper(frontier[i].cube, children);
-            for (std::size_t c = 0; c < field::kChildren; ++c) {
-                if (children.verdicts[c] == Children::Verdict::kInside)
-                    octree.nodes[octree.upper[upper_of[i]].node][c] = OctreeEntry::full();
-                if (children.verdicts[c] >= Children::Verdict::kBrick)
-                    next[i].emplace_back(splitter, frontier[i].cube, children, c, upper_of[i]);
-            }
-        });
-        frontier.clear();
-        for (auto& part : next) std::ranges::move(part, std::back_inserter(frontier));
-    }
-    return frontier;
-}
 
 std::uint32_t Octree::add_upper_node() {
     upper.push_back({static_cast<std::uint32_t>(nodes.size()), 0, {}});
@@ -97,9 +61,13 @@ Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job,
                     const LargeAllocator<std::byte>& memory) {
     Octree octree = begin_octree(field, sizing, memory);
     const Splitter splitter{field, sizing, octree.lattice};
-    std::vector<Seed> seeds = find_subtrees(splitter, octree, job);
-    if (job.cancelled()) return octree;
-    append_subtrees(splitter, seeds, octree, job);
+    const SubtreeGroups groups(splitter, octree, kGroupSegments, job);
+    for (std::size_t n = 0; n < groups.size(); ++n) {
+        SubtreeGroup group = groups.group(n, job);
+        if (job.cancelled()) return begin_octree(field, sizing, memory);
+        enter_upper(octree, group);
+        append_subtrees(splitter, group.seeds, octree, job);
+    }
     return octree;
 }
 

@@ -87,10 +87,6 @@ struct Seed {
          std::uint32_t parent_node);
 };
 
-// Divides all cubes larger than subtrees, level by level, and returns the seeds of subtrees in depth-first order. Ends
-// early if cancelled.
-[[nodiscard]] std::vector<Seed> find_subtrees(const Splitter& splitter, Octree& octree, const Job& job);
-
 // Builds the subtrees of `seeds`, appends them with their nodes, bricks and lists to the octree, in order, and links
 // them to their parents. A seed whose present subtree is unchanged is skipped and removed from `seeds`. Incomplete if
 // cancelled.

@@ -4,7 +4,7 @@
 
 #include "core/base/grouped.h"
 #include "core/mesh/polygonize/octree/octree.h"
-#include "core/mesh/polygonize/octree/splitter.h"
+#include "core/mesh/polygonize/octree/partial_octree.h"
 #include "core/mesh/polygonize/surface_batches.h"
 
 #include <cstdint>

@@ -34,12 +34,14 @@ PartMaking::PartMaking(const field::Field& field, const PolygonizeOptions& optio
 
 Result<void> PartMaking::plan(Job& job) {
     Stopwatch watch;
-    octree_ = std::make_unique<PartialOctree>(field_, sizing_, job, memory_);
-    const Stopwatch counting;
-    const std::vector<SubtreeSize> sizes = sizes_of_all(job);
-    statistics_.count_s = counting.seconds();
-    if (job.cancelled() || sizes.size() < octree_->subtrees()) return fail("cancelled");
-    octree_->enter(sizes);
+    octree_ = std::make_unique<PartialOctree>(field_, sizing_, part_.count, job, memory_);
+    const Stopwatch finding;
+    const std::vector<FoundSubtrees> found = found_by_all(job);
+    statistics_.find_s = finding.seconds();
+    std::size_t groups = 0;
+    for (const FoundSubtrees& some : found) groups += some.groups.size();
+    if (job.cancelled() || groups < octree_->groups()) return fail("cancelled");
+    const std::vector<SubtreeSize> sizes = octree_->enter(found);
     const Touching touching = touching_each(octree_->octree());
     ranges_ = divided(octree_->octree(), sizes, touching, part_.count);
     std::vector<std::uint8_t> wanted(sizes.size(), 0);
@@ -72,13 +74,15 @@ Result<void> PartMaking::work(Job& job) {
     return result_of(end, options_);
 }
 
-std::vector<SubtreeSize> PartMaking::sizes_of_all(const Job& job) const {
-    if (team_ == nullptr) return octree_->sizes(0, 1, job);
-    const std::vector<SubtreeSize> own = octree_->sizes(team_->rank(), team_->size(), job);
-    const auto told = lists_of_all<SubtreeSize>(*team_, own);
-    std::vector<SubtreeSize> all;
-    for (std::size_t t = 0; t < octree_->subtrees() && t / told.size() < told[t % told.size()].size(); ++t)
-        all.push_back(told[t % told.size()][t / told.size()]);
+std::vector<FoundSubtrees> PartMaking::found_by_all(const Job& job) const {
+    if (team_ == nullptr) return {octree_->find(0, 1, job)};
+    const FoundSubtrees own = octree_->find(team_->rank(), team_->size(), job);
+    auto groups = lists_of_all<FoundSubtrees::Group>(*team_, own.groups);
+    auto upper = lists_of_all<FoundUpper>(*team_, own.upper);
+    auto subtrees = lists_of_all<FoundSubtrees::One>(*team_, own.subtrees);
+    std::vector<FoundSubtrees> all;
+    for (std::size_t rank = 0; rank < team_->size(); ++rank)
+        all.push_back({std::move(groups[rank]), std::move(upper[rank]), std::move(subtrees[rank])});
     return all;
 }
 

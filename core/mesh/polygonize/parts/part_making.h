@@ -35,7 +35,7 @@ public:
     [[nodiscard]] PartStatistics& statistics() { return statistics_; }
 
 private:
-    [[nodiscard]] std::vector<SubtreeSize> sizes_of_all(const Job& job) const; // fewer if cancelled
+    [[nodiscard]] std::vector<FoundSubtrees> found_by_all(const Job& job) const; // by process
 
     const field::Field& field_;
     const PolygonizeOptions& options_;
