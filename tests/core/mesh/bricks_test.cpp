@@ -2,6 +2,7 @@
 #include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/join/edge_polygons.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
+#include "core/mesh/polygonize/octree/subtree_groups.h"
 #include "core/mesh/tree_field.h"
 #include "core/mesh/triangle_mesh.h"
 #include "tests/support/brute_force_field.h"
@@ -42,6 +43,28 @@ struct Scene {
 
 using BrickKey = std::tuple<int, int, int, int>; // corner and level
 
+// All bricks in order, with the segments that reach them, of an octree whose subtrees are found in groups.
+std::vector<std::pair<BrickKey, std::vector<std::uint32_t>>> bricks_by_groups(const Scene& scene, std::size_t most) {
+    const Sizing sizing = make_sizing(scene.field, 10, 0.0);
+    Octree octree = begin_octree(scene.field, sizing);
+    const Splitter splitter{scene.field, sizing, octree.lattice};
+    Job job;
+    const SubtreeGroups groups(splitter, octree, most, job);
+    CHECK((groups.size() > 1) == (most < scene.tree.segment_count()));
+    for (std::size_t n = 0; n < groups.size(); ++n) {
+        SubtreeGroup group = groups.group(n, job);
+        enter_upper(octree, group);
+        append_subtrees(splitter, group.seeds, octree, job);
+    }
+    CHECK(std::ranges::is_sorted(octree.subtrees_in_order()));
+    std::vector<std::pair<BrickKey, std::vector<std::uint32_t>>> bricks;
+    for (const Brick& b : octree.bricks) {
+        const auto list = octree.segments_of(b);
+        bricks.push_back({{b.corner.x, b.corner.y, b.corner.z, b.level}, {list.begin(), list.end()}});
+    }
+    return bricks;
+}
+
 // Corners in a fixed order that keeps their sense of rotation.
 template <std::size_t N> std::array<std::uint32_t, N> turned(std::array<std::uint32_t, N> polygon) {
     std::rotate(polygon.begin(), std::ranges::min_element(polygon), polygon.end());
@@ -64,6 +87,16 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<JoinedS
 }
 
 } // namespace
+
+TEST_CASE("an octree does not depend on the groups in which its subtrees are found") {
+    const Scene scene;
+    const auto in_one = bricks_by_groups(scene, kGroupSegments);
+    CHECK(in_one.size() == scene.octree.bricks.size());
+    for (const std::size_t most : {1U, 20U, 100U}) {
+        CAPTURE(most);
+        CHECK(bricks_by_groups(scene, most) == in_one);
+    }
+}
 
 TEST_CASE("a brick's neighbours are those that a search of all bricks finds" * doctest::test_suite("slow")) {
     const Scene scene;

@@ -64,6 +64,9 @@ TEST_CASE("a surface that a team makes has the bytes of one that a process makes
     mesh::PolygonizeOptions coarse;
     coarse.cell_mm = 1.5;
     check_together(test::make_field(test::grown(30), {}, {}), coarse);
+    mesh::PolygonizeOptions rough; // of a tree that is divided into many groups
+    rough.detail = 4;
+    check_together(test::make_field(test::grown(2000), {}, {}), rough);
 }
 
 TEST_CASE("the parts of a surface are its triangles, each in one part") {
