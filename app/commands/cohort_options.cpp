@@ -24,7 +24,7 @@ constexpr std::array<StepCommand, 4> kStepCommands{
     {{"skeletonize", "skeletonize"}, {"measure", "info"}, {"validate", "validate"}, {"picture", "render"}}};
 
 // The names of all options of a command.
-std::set<std::string> option_names(const CLI::App& command) {
+std::set<std::string> names_of_options(const CLI::App& command) {
     std::set<std::string> names;
     for (const CLI::Option* option : command.get_options()) names.insert(option->get_name());
     return names;
@@ -34,7 +34,7 @@ std::set<std::string> source_options() {
     CLI::App scratch;
     SurfaceFlags flags;
     add_source_flags(scratch, flags);
-    return option_names(scratch);
+    return names_of_options(scratch);
 }
 
 // Whether the command takes the option by itself. Options that need another one (--width of info) are not for it.
@@ -74,7 +74,7 @@ Json given_options(const CLI::App& command, const SurfaceFlags& flags) {
     CLI::App scratch;
     SurfaceFlags unused;
     add_surface_flags(scratch, unused);
-    const std::set<std::string> known = option_names(scratch);
+    const std::set<std::string> known = names_of_options(scratch);
     Json given = Json::object();
     for (const CLI::Option* option : command.get_options()) {
         const std::string& name = option->get_name();

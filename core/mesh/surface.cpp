@@ -86,14 +86,14 @@ public:
     // Whether the prepared tree is let go of while the surface is polygonized. It takes as much as its field.
     [[nodiscard]] bool prepares_again() const { return of_mesh_ != nullptr || !is_repaired(); }
 
-    // Adds the surface of one system. `tree()`: the tree as prepared.
-    Result<void> add(const SystemField& system, const std::function<PreparedTree()>& tree, Job& making,
-                     Job& repairing) {
+    // Adds the surface of one system, whose field ends before repairs. `tree()`: the tree as prepared.
+    Result<void> add(field::Field field, std::span<const std::uint8_t> hidden,
+                     const std::function<PreparedTree()>& tree, Job& making, Job& repairing) {
         std::vector<TriangleBox> walled;
-        RAMUS_TRY(mesh, polygonized(system.field, making, walled));
+        RAMUS_TRY(mesh, polygonized(std::move(field), making, walled));
         if (is_repaired()) {
             if (row_of(options_.blend).separates)
-                if (auto matched = match(mesh, visible_part(tree(), system.hidden), walled, repairing); !matched)
+                if (auto matched = match(mesh, visible_part(tree(), hidden), walled, repairing); !matched)
                     return matched;
             if (making_.use == MadeFor::kFile && !repairing.cancelled())
                 surface_.statistics.untangled.add(untangle(mesh, walled, repairing));
@@ -118,7 +118,8 @@ private:
         return !making_.part && (making_.team == nullptr || making_.team->leads());
     }
 
-    Result<TriangleMesh> polygonized(const field::Field& field, Job& job, std::vector<TriangleBox>& walled) {
+    Result<TriangleMesh> polygonized(field::Field given, Job& job, std::vector<TriangleBox>& walled) {
+        const field::Field field = std::move(given); // ends with this function
         const PolygonizeOptions chosen = polygonize_options(options_, of_mesh_);
         PartStatistics statistics;
         Result<TriangleMesh> mesh = making_.part ? polygonize_part(field, chosen, *making_.part, job, &statistics)
@@ -147,34 +148,44 @@ private:
     Surface surface_;
 };
 
+// The fields of the systems, and the tree that they are of.
+struct SystemFields {
+    std::vector<field::Field> fields;
+    PreparedTree tree;
+};
+
+Result<SystemFields> system_fields(const tree::VesselTree& source, const SurfaceOptions& options,
+                                   std::span<const std::vector<std::uint8_t>> hidden_of, const SumCheck& check) {
+    RAMUS_TRY(whole, make_tree_field(source, options, check));
+    SystemFields made;
+    for (const auto& hidden : hidden_of) made.fields.push_back(whole.field.without(hidden));
+    made.tree = std::move(whole.tree);
+    return made;
+}
+
 Result<Surface> convolution_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                     std::span<const std::uint8_t> hidden, const Making& how) {
     SurfaceMaking making(options, how);
-    RAMUS_TRY(whole, make_tree_field(source, options, [&](const field::Field& sum) {
+    const auto hidden_of = hidden_by_system(source, hidden);
+    RAMUS_TRY(made, system_fields(source, options, hidden_of, [&](const field::Field& sum) {
                   return making.check(hidden.empty() ? sum : sum.without(hidden));
               }));
-    std::vector<SystemField> systems;
-    for (auto& part : hidden_by_system(source, hidden)) {
-        field::Field field = whole.field.without(part);
-        systems.push_back({std::move(field), std::move(part)});
-    }
+    std::vector<field::Field>& fields = made.fields;
     const bool again = making.prepares_again();
-    if (again) whole.tree = {};
-    const auto prepared = [&] { return again ? prepare_tree(source, options) : whole.tree; };
-    for (std::size_t n = 0; n < systems.size(); ++n) {
+    if (again) made.tree = {};
+    const auto prepared = [&] { return again ? prepare_tree(source, options) : made.tree; };
+    const bool projects = options.rims == field::Rims::kOverlapping;
+    for (std::size_t n = 0; n < fields.size(); ++n) {
         const auto share = [&](float of_system) {
-            return (static_cast<float>(n) + of_system) / static_cast<float>(systems.size());
+            return (static_cast<float>(n) + of_system) / static_cast<float>(fields.size());
         };
         Job polygonizing(job, share(0.0F), share(kMade)), repairing(job, share(kMade), share(1.0F));
-        if (auto added = making.add(systems[n], prepared, polygonizing, repairing); !added)
+        field::Field field = projects ? fields[n] : std::move(fields[n]);
+        if (auto added = making.add(std::move(field), hidden_of[n], prepared, polygonizing, repairing); !added)
             return tl::unexpected(added.error());
     }
     Surface surface = making.take();
-    if (options.rims == field::Rims::kOverlapping) {
-        std::vector<field::Field> fields;
-        for (const SystemField& system : systems) fields.push_back(system.field);
-        surface.projector = std::make_shared<const field::SurfaceProjector>(std::move(fields));
-    }
+    if (projects) surface.projector = std::make_shared<const field::SurfaceProjector>(std::move(fields));
     return surface;
 }
 

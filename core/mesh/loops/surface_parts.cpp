@@ -1,6 +1,7 @@
 #include "core/mesh/loops/surface_parts.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/large_array.h"
 #include "core/base/lists_by_thread.h"
 #include "core/base/sort_unique.h"
 
@@ -49,15 +50,16 @@ private:
 
 // The directed edges of the triangles whose opposite edge belongs to none of them, ascending.
 std::vector<BorderEdge> border_of(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
-    std::vector<BorderEdge> there, back;
+    LargeArray<BorderEdge> edges(mesh.memory());
+    edges.reserve(3 * triangles.size());
     for (const std::uint32_t n : triangles)
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t from = mesh.triangles[n][corner], to = mesh.triangles[n][(corner + 1) % 3];
-            there.emplace_back(from, to), back.emplace_back(to, from);
-        }
-    std::ranges::sort(there), std::ranges::sort(back);
+        for (int corner = 0; corner < 3; ++corner)
+            edges.emplace_back(mesh.triangles[n][corner], mesh.triangles[n][(corner + 1) % 3]);
+    std::ranges::sort(edges);
     std::vector<BorderEdge> border;
-    std::ranges::set_difference(there, back, std::back_inserter(border));
+    std::ranges::copy_if(edges, std::back_inserter(border), [&](const BorderEdge& edge) {
+        return !std::ranges::binary_search(edges, BorderEdge(edge.second, edge.first));
+    });
     return border;
 }
 
