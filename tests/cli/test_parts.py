@@ -33,9 +33,9 @@ class Parts(CommandLineTest):
         self.assertEqual(sum(part["triangles"] for part in parts), whole["triangles"])
         self.assertEqual(sum(part["evaluations"] for part in parts), whole["evaluations"])
         self.assertAlmostEqual(sum(part["part"]["share"] for part in parts), 1.0)
-        for part in parts:
-            self.assertAlmostEqual(part["part"]["share"], 0.25, delta=0.05)
-            self.assertGreater(part["part"]["border_evaluations"], 0)
+        work = [part["evaluations"] + part["part"]["border_evaluations"] for part in parts]
+        self.assertLess(max(work), 1.3 * sum(work) / len(work))
+        self.assertGreater(min(part["part"]["border_evaluations"] for part in parts), 0)
         corners = set()
         for n in range(1, 5):
             corners |= {vertex[:3] for vertex in read_ply(self.folder / f"{n}.ply")[1]}
