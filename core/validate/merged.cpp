@@ -125,7 +125,7 @@ std::vector<Merged> merged_along(const Axes& axes, const Reference& reference, c
     for (const auto& [set, i] : closest) {
         if (sure[set] == 0) continue;
         const PassingPair& pair = pairs[i];
-        const auto [low, high] = std::minmax(axes.links[pair.a].branch, axes.links[pair.b].branch);
+        const auto [low, high] = std::minmax({axes.links[pair.a].branch, axes.links[pair.b].branch});
         merged.push_back({{low, high}, 0.5 * (pair.at_a.position + pair.at_b.position), gap_of(pair)});
     }
     std::ranges::stable_sort(merged, {}, &Merged::gap_mm);

@@ -155,7 +155,7 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const tree::Link& link = links_[boxes_.order[i]];
+            const tree::Link link = links_[boxes_.order[i]];
             if (link.branch == but.branches[0] || link.branch == but.branches[1]) continue;
             const double closeness = tree::closeness(place, link);
             if (closeness >= best.closeness) continue;
