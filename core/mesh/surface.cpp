@@ -149,15 +149,15 @@ private:
 };
 
 // The fields of the systems, and the tree that they are of.
-struct SystemFields {
+struct FieldsOfTree {
     std::vector<field::Field> fields;
     PreparedTree tree;
 };
 
-Result<SystemFields> system_fields(const tree::VesselTree& source, const SurfaceOptions& options,
-                                   std::span<const std::vector<std::uint8_t>> hidden_of, const SumCheck& check) {
+Result<FieldsOfTree> fields_of_tree(const tree::VesselTree& source, const SurfaceOptions& options,
+                                    std::span<const std::vector<std::uint8_t>> hidden_of, const SumCheck& check) {
     RAMUS_TRY(whole, make_tree_field(source, options, check));
-    SystemFields made;
+    FieldsOfTree made;
     for (const auto& hidden : hidden_of) made.fields.push_back(whole.field.without(hidden));
     made.tree = std::move(whole.tree);
     return made;
@@ -167,7 +167,7 @@ Result<Surface> convolution_surface(const tree::VesselTree& source, const Surfac
                                     std::span<const std::uint8_t> hidden, const Making& how) {
     SurfaceMaking making(options, how);
     const auto hidden_of = hidden_by_system(source, hidden);
-    RAMUS_TRY(made, system_fields(source, options, hidden_of, [&](const field::Field& sum) {
+    RAMUS_TRY(made, fields_of_tree(source, options, hidden_of, [&](const field::Field& sum) {
                   return making.check(hidden.empty() ? sum : sum.without(hidden));
               }));
     std::vector<field::Field>& fields = made.fields;

@@ -7,6 +7,12 @@
 namespace ramus::mesh::bricks {
 
 std::vector<SubtreeBatch> schedule_subtrees(const Octree& octree, std::size_t batch_bricks) {
+    return schedule_subtrees(octree, touching_subtrees(octree), batch_bricks);
+}
+
+std::vector<SubtreeBatch> schedule_subtrees(const Octree& octree,
+                                            std::span<const std::pair<std::uint32_t, std::uint32_t>> touching,
+                                            std::size_t batch_bricks) {
     const std::vector<std::uint32_t> order = octree.subtrees_in_order();
     std::vector<SubtreeBatch> batches;
     std::vector<std::uint32_t> filled_in(octree.subtrees.size());
@@ -17,10 +23,9 @@ std::vector<SubtreeBatch> schedule_subtrees(const Octree& octree, std::size_t ba
         batches.back().fill.push_back(subtree);
         bricks += octree.subtrees[subtree].brick_count;
     }
-    const auto pairs = touching_subtrees(octree);
     const auto latest_around = [&](const std::vector<std::uint32_t>& when) {
         std::vector<std::uint32_t> latest(when);
-        for (const auto& [a, b] : pairs) {
+        for (const auto& [a, b] : touching) {
             latest[a] = std::max(latest[a], when[b]);
             latest[b] = std::max(latest[b], when[a]);
         }

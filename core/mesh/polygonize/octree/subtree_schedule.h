@@ -7,6 +7,8 @@
 #include "core/mesh/polygonize/octree/octree.h"
 
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace ramus::mesh::bricks {
@@ -22,5 +24,9 @@ inline constexpr std::size_t kBatchBricks = std::size_t{1} << 13;
 // Batches of `batch_bricks` bricks or a few more. The result for an updated octree equals that for a newly built one.
 [[nodiscard]] std::vector<SubtreeBatch> schedule_subtrees(const Octree& octree,
                                                           std::size_t batch_bricks = kBatchBricks);
+// The same, with the result of touching_subtrees() (octree/neighbours.h) where it is known.
+[[nodiscard]] std::vector<SubtreeBatch>
+schedule_subtrees(const Octree& octree, std::span<const std::pair<std::uint32_t, std::uint32_t>> touching,
+                  std::size_t batch_bricks = kBatchBricks);
 
 } // namespace ramus::mesh::bricks

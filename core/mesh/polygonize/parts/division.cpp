@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <glm/vector_relational.hpp>
-#include <numeric>
 #include <utility>
 
 namespace ramus::mesh::bricks {
@@ -94,9 +93,8 @@ private:
 
 } // namespace
 
-Touching touching_each(const Octree& octree) {
-    const auto pairs = touching_subtrees(octree);
-    return {octree.subtrees.size(), [&](const auto& put) {
+Touching touching_each(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, std::size_t subtrees) {
+    return {subtrees, [&](const auto& put) {
                 for (const auto& [a, b] : pairs) put(a, b), put(b, a);
             }};
 }

@@ -9,13 +9,16 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ramus::mesh::bricks {
 
 // By subtree: those that touch it, some more than once.
 using Touching = Grouped<std::uint32_t>;
-[[nodiscard]] Touching touching_each(const Octree& octree);
+// `pairs`: all of them (touching_subtrees() in octree/neighbours.h).
+[[nodiscard]] Touching touching_each(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
+                                     std::size_t subtrees);
 
 // Adds all subtrees that touch those in the set, whose entry is not 0.
 void add_ring(std::vector<std::uint8_t>& set, const Touching& touching);

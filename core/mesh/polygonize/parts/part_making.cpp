@@ -2,6 +2,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/mesh/polygonize/feasible.h"
+#include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/polygonize/parts/division.h"
 
 #include <algorithm>
@@ -42,7 +43,8 @@ Result<void> PartMaking::plan(Job& job) {
     for (const FoundSubtrees& some : found) groups += some.groups.size();
     if (job.cancelled() || groups < octree_->groups()) return fail("cancelled");
     const std::vector<SubtreeSize> sizes = octree_->enter(found);
-    const Touching touching = touching_each(octree_->octree());
+    const auto pairs = touching_subtrees(octree_->octree());
+    const Touching touching = touching_each(pairs, sizes.size());
     ranges_ = divided(octree_->octree(), sizes, touching, part_.count);
     std::vector<std::uint8_t> wanted(sizes.size(), 0);
     std::fill(wanted.begin() + range().first, wanted.begin() + range().end, 1);
@@ -53,7 +55,7 @@ Result<void> PartMaking::plan(Job& job) {
     const PolygonizeMode mode = options_.disk != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
     auto possible = check_feasible(field_, sizing_, options_, mode, share_of_bricks(sizes, wanted));
     if (!possible) return possible;
-    schedule_ = schedule_subtrees(octree_->octree());
+    schedule_ = schedule_subtrees(octree_->octree(), pairs);
     octree_->build(wanted, job);
     if (job.cancelled()) return fail("cancelled");
     fill_ = subtrees_to_fill(octree_->octree(), range(), touching);
