@@ -6,7 +6,7 @@
 
 namespace ramus {
 
-template <class T> void sort_unique(std::vector<T>& things) {
+template <class T, class Allocator> void sort_unique(std::vector<T, Allocator>& things) {
     std::sort(things.begin(), things.end());
     things.erase(std::unique(things.begin(), things.end()), things.end());
 }

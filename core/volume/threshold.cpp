@@ -139,7 +139,7 @@ Result<BinCounts> pieces_of(const Grid& grid, std::size_t count, const JobRange&
     const Grouped<std::uint32_t> by_bin(count, [&](const auto& put) {
         for (std::uint32_t n = 0; n < grid.bins.size(); ++n) put(grid.bins[n], n);
     });
-    const std::vector<std::uint32_t>& places = by_bin.all();
+    const std::span<const std::uint32_t> places = by_bin.all();
     const glm::ivec3 size = grid.size;
     DisjointSets joined(places.size());
     BinCounts pieces(count, 0);

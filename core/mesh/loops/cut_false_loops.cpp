@@ -9,9 +9,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <numeric>
 #include <oneapi/tbb/parallel_for.h>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace ramus::mesh {
 
@@ -36,11 +39,14 @@ struct LoopCutter {
 // Cuts parts in parallel. They do not depend on each other, so the result is the same for any number of threads.
 CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, const LoopCutter& cutter,
                       std::size_t most, Job& job) {
-    std::vector<LookedAt> looked(parts.size());
+    std::vector<const SurfacePart*> with_loops; // few
+    for (const SurfacePart& part : parts)
+        if (part.has_loops) with_loops.push_back(&part);
+    std::vector<LookedAt> looked(with_loops.size());
     std::atomic<std::size_t> done = 0;
-    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
-        const SurfacePart& part = parts[n];
-        if (!part.has_loops || job.cancelled()) return;
+    tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t n) {
+        const SurfacePart& part = *with_loops[n];
+        if (job.cancelled()) return;
         LookedAt& one = looked[n];
         if (const double needed = kBytesPerTriangle * static_cast<double>(part.triangles.size());
             needed > cutter.memory_bytes) {
@@ -51,12 +57,12 @@ CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, co
         const std::int64_t loops = connectivity_of(one.patch->closed()).loops;
         if (loops > 0) {
             FalseLoops found(one.patch->closed(), cutter.axes, cutter.fill_holes, one.patch->barred());
-            const float so_far = static_cast<float>(done) / static_cast<float>(parts.size());
+            const float so_far = static_cast<float>(done) / static_cast<float>(looked.size());
             Job step(job, so_far, so_far);
             one.cut = found.cut(std::min(most, static_cast<std::size_t>(loops)), step);
         }
         if (one.cut == 0) one.patch.reset();
-        job.report(static_cast<float>(++done) / static_cast<float>(parts.size()));
+        job.report(static_cast<float>(++done) / static_cast<float>(looked.size()));
     });
     CutLoops all;
     if (job.cancelled()) return all;
@@ -70,8 +76,8 @@ CutLoops cut_in_parts(TriangleMesh& mesh, std::span<const SurfacePart> parts, co
 }
 
 // The triangles of the parts that loops pass through.
-std::vector<std::uint32_t> on_loops(const SurfaceParts& all) {
-    std::vector<std::uint32_t> found;
+LargeArray<std::uint32_t> on_loops(const SurfaceParts& all) {
+    LargeArray<std::uint32_t> found;
     for (const SurfacePart& part : all.parts())
         if (part.has_loops) found.insert(found.end(), part.triangles.begin(), part.triangles.end());
     return found;
@@ -93,20 +99,20 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
         all.add(cut), others -= static_cast<std::int64_t>(cut.cut);
         if (cut.cut > 0) boxes.reset();
     };
-    const auto divided = [&](const std::vector<std::uint32_t>& near, Rest rest = Rest::kConnections) {
+    const auto divided = [&](LargeArray<std::uint32_t> near, Rest rest = Rest::kConnections) {
         if (!boxes) boxes.emplace(mesh);
-        return SurfaceParts(mesh, *boxes, near, rest);
+        return SurfaceParts(mesh, *boxes, std::move(near), rest);
     };
-    const auto look_at = [&](float begin, float end, const std::vector<std::uint32_t>& triangles) {
-        if (!triangles.empty()) look(begin, end, divided(triangles).parts());
+    const auto look_at = [&](float begin, float end, LargeArray<std::uint32_t> triangles) {
+        if (!triangles.empty()) look(begin, end, divided(std::move(triangles)).parts());
     };
     const auto look_around = [&](float begin, float end, const SurfaceParts& near) {
         look_at(begin, end, triangles_around(mesh, *boxes, on_loops(near)));
     };
     if (others > 0) look(0.0F, 0.3F, at_walls.parts());
     if (others > 0) { // caps, whose triangles come later, connect nothing
-        const std::vector<std::uint32_t> between = triangles_between_branches(mesh);
-        const std::vector<std::uint32_t> foreign = foreign_triangles(mesh, tree, between);
+        const LargeArray<std::uint32_t> between = triangles_between_branches(mesh);
+        const LargeArray<std::uint32_t> foreign = foreign_triangles(mesh, tree, between);
         look_around(0.3F, 0.5F, divided(foreign));
         if (others > 0) {
             const SurfaceParts joints = divided(between, Rest::kLoops);
@@ -114,8 +120,12 @@ CutLoops cut_false_loops(TriangleMesh& mesh, const tree::PreparedTree& tree, con
             // Loops within one branch, which bends until it touches itself.
             if (others > 0) look_at(0.6F, 0.7F, joints.rest_with_loops());
         }
-        if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole)
-            look(0.7F, 1.0F, std::vector{whole_part(mesh)});
+        if (others > 0 && static_cast<std::size_t>(others) * mesh.triangles.size() <= kMostAsWhole) {
+            LargeArray<std::uint32_t> triangles(mesh.triangles.size(), mesh.memory());
+            std::iota(triangles.begin(), triangles.end(), 0U);
+            const SurfacePart whole{triangles, {}, true};
+            look(0.7F, 1.0F, std::span(&whole, 1));
+        }
         if (others > 0)
             for (const std::uint32_t n : on_loops(divided(foreign)))
                 all.left.push_back(mesh.positions[mesh.triangles[n].x]);

@@ -14,7 +14,8 @@ constexpr float kFar = 1e15F; // mm: beyond the longest line, and its square doe
 
 } // namespace
 
-LoopPatch::LoopPatch(const TriangleMesh& mesh, const SurfacePart& part) : triangles_(part.triangles) {
+LoopPatch::LoopPatch(const TriangleMesh& mesh, const SurfacePart& part)
+    : triangles_(part.triangles.begin(), part.triangles.end()) {
     for (const std::uint32_t n : triangles_)
         for (int corner = 0; corner < 3; ++corner) vertices_.push_back(mesh.triangles[n][corner]);
     sort_unique(vertices_);

@@ -19,7 +19,7 @@ MatchedTree match_tree(TriangleMesh& mesh, const tree::PreparedTree& tree, std::
         const TriangleBoxes boxes(
             mesh.positions, walls.empty() ? std::span<const glm::uvec3>{} : std::span<const glm::uvec3>(mesh.triangles),
             mesh.memory());
-        parts.emplace(mesh, boxes, triangles_at(boxes, walls));
+        parts.emplace(mesh, boxes, triangles_at(mesh, boxes, walls));
     };
     divide();
     if (parts->of_surface().pieces > 1) matched.dropped = drop_false_pieces(mesh, tree.tree);

@@ -6,9 +6,12 @@
 // vertex of two borders, all triangles are added to the part. Parts, pieces of the rest and borders form a graph. On a
 // surface without loops every border divides the surface, so this graph is a tree. Two borders of a part are connected
 // beyond it if they lie on a cycle of the graph, that is, in one biconnected component.
+// All arrays are in the memory of the surface (TriangleMesh::memory()), since there may be as many parts as vessels meet.
 #pragma once
 
 #include "core/base/bounds.h"
+#include "core/base/grouped.h"
+#include "core/base/large_array.h"
 #include "core/mesh/connectivity.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/mesh/untangle/triangle_boxes.h"
@@ -17,22 +20,18 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <utility>
-#include <vector>
 
 namespace ramus::mesh {
 
-using BorderEdge = std::pair<std::uint32_t, std::uint32_t>; // vertices, in the order of the part's triangle
-
 struct PartBorder {
-    std::vector<std::uint32_t> vertices; // in the order of the part's triangles
+    std::span<const std::uint32_t> vertices; // in the order of the part's triangles
     // Borders of one part with the same number are connected beyond it.
     std::uint32_t connected = 0;
 };
 
 struct SurfacePart {
-    std::vector<std::uint32_t> triangles; // ascending
-    std::vector<PartBorder> borders;
+    std::span<const std::uint32_t> triangles; // ascending
+    std::span<const PartBorder> borders;
     bool has_loops = false; // whether loops pass through it
 };
 
@@ -43,40 +42,40 @@ class SurfaceParts {
 public:
     // Divides a closed surface in which every vertex belongs to a triangle. `boxes`: the boxes of the surface. `near`:
     // the triangles of the parts, ascending. Takes 20 ns for each triangle (40 ns with Rest::kLoops), and more for
-    // triangles in `near`.
-    SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, std::vector<std::uint32_t> near,
+    // triangles in `near`. What it keeps is in the memory of the surface.
+    SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes, LargeArray<std::uint32_t> near,
                  Rest rest = Rest::kConnections);
+    SurfaceParts(const SurfaceParts&) = delete; // parts are views
+    SurfaceParts(SurfaceParts&&) = default;
+    SurfaceParts& operator=(const SurfaceParts&) = delete;
+    SurfaceParts& operator=(SurfaceParts&&) = default;
+    ~SurfaceParts() = default;
 
     // In order of their first triangles.
     [[nodiscard]] std::span<const SurfacePart> parts() const { return parts_; }
     [[nodiscard]] const Connectivity& of_surface() const { return of_surface_; }
     // With Rest::kLoops: the triangles of the pieces of the rest that contain loops, ascending.
-    [[nodiscard]] const std::vector<std::uint32_t>& rest_with_loops() const { return rest_with_loops_; }
+    [[nodiscard]] const LargeArray<std::uint32_t>& rest_with_loops() const { return rest_with_loops_; }
 
 private:
-    void take_parts(std::span<const std::uint32_t> near, std::span<const BorderEdge> border);
-    void find_rest(std::span<const std::uint32_t> near, std::span<const BorderEdge> border, Rest rest);
-    void find_loops(std::span<const std::uint32_t> beyond, std::size_t rest);
-
-    const TriangleMesh& mesh_;
-    std::vector<SurfacePart> parts_;
+    Grouped<std::uint32_t> triangles_;          // by part
+    LargeArray<std::uint32_t> border_vertices_; // border by border
+    Grouped<PartBorder> borders_;               // by part
+    LargeArray<SurfacePart> parts_;
     Connectivity of_surface_;
-    std::vector<std::uint32_t> rest_with_loops_;
+    LargeArray<std::uint32_t> rest_with_loops_;
 };
 
-// The whole surface as one part, without a border.
-[[nodiscard]] SurfacePart whole_part(const TriangleMesh& mesh);
-
 // The triangles in or near `places` (mm), ascending. `boxes`: the boxes of the surface.
-[[nodiscard]] std::vector<std::uint32_t> triangles_at(const TriangleBoxes& boxes,
-                                                      std::span<const Bounds<glm::vec3>> places);
+[[nodiscard]] LargeArray<std::uint32_t> triangles_at(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                     std::span<const Bounds<glm::vec3>> places);
 // The triangles around the given ones, up to four times the longest side of each, ascending.
-[[nodiscard]] std::vector<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
-                                                          std::span<const std::uint32_t> triangles);
+[[nodiscard]] LargeArray<std::uint32_t> triangles_around(const TriangleMesh& mesh, const TriangleBoxes& boxes,
+                                                         std::span<const std::uint32_t> triangles);
 // The triangles whose corners belong to different branches, ascending.
-[[nodiscard]] std::vector<std::uint32_t> triangles_between_branches(const TriangleMesh& mesh);
+[[nodiscard]] LargeArray<std::uint32_t> triangles_between_branches(const TriangleMesh& mesh);
 // The triangles of `between_branches` whose branches have no common point in the tree of the surface.
-[[nodiscard]] std::vector<std::uint32_t> foreign_triangles(const TriangleMesh& mesh, const tree::PreparedTree& tree,
-                                                           std::span<const std::uint32_t> between_branches);
+[[nodiscard]] LargeArray<std::uint32_t> foreign_triangles(const TriangleMesh& mesh, const tree::PreparedTree& tree,
+                                                          std::span<const std::uint32_t> between_branches);
 
 } // namespace ramus::mesh

@@ -6,14 +6,13 @@
 #include "core/mesh/untangle/triangle_boxes.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace ramus::mesh {
 
 struct Folds {
     // Triangles that face away from the normal of one of their corners or have no area, and triangles that share a
     // corner with these; ascending.
-    std::vector<std::uint32_t> triangles;
+    LargeArray<std::uint32_t> triangles;
     TriangleBoxes boxes; // of the whole surface
 };
 // The surface must have normals, and must outlive the boxes.

@@ -6,9 +6,11 @@
 #include "core/mesh/triangle_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <oneapi/tbb/parallel_for.h>
 #include <span>
 #include <utility>
 
@@ -72,6 +74,22 @@ public:
             const bool all = box.contains(around); // then the boxes of single triangles need no test
             for_each_of(group, [&](std::uint32_t n) {
                 if (all || this->box(n).meets(box)) call(n);
+            });
+        });
+    }
+    // Sets marks[n] to `mark` for each triangle n whose box intersects one of box_of(0) to box_of(count - 1), unless it
+    // is marked (not Mark()). Calls box_of in several threads.
+    template <class BoxOf, class Mark>
+    void mark_in(std::size_t count, const BoxOf& box_of, LargeArray<Mark>& marks, Mark mark) const {
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t place) {
+            const TriangleBox box = box_of(place);
+            for_each_group_in(box, [&](std::size_t group, const TriangleBox& around) {
+                const bool all = box.contains(around);
+                for_each_of(group, [&](std::uint32_t n) {
+                    const std::atomic_ref<Mark> one(marks[n]);
+                    if (one.load(std::memory_order_relaxed) != Mark()) return; // no need of its box
+                    if (all || this->box(n).meets(box)) one.store(mark, std::memory_order_relaxed);
+                });
             });
         });
     }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>
@@ -31,17 +30,8 @@ constexpr std::size_t kMostLooks = 400;         // comparisons for each triangle
 LargeArray<Compared> suspects(const TriangleMesh& mesh, const Folds& folds, std::span<const TriangleBox> places) {
     LargeArray<Compared> suspected(mesh.triangles.size(), Compared::kNot, mesh.memory());
     for (const std::uint32_t n : folds.triangles) suspected[n] = Compared::kWithAll;
-    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t place) {
-        folds.boxes.for_each_group_in(places[place], [&](std::size_t group, const TriangleBox& around) {
-            const bool all = places[place].contains(around);
-            folds.boxes.for_each_of(group, [&](std::uint32_t n) {
-                const std::atomic_ref<Compared> one(suspected[n]);
-                if (one.load(std::memory_order_relaxed) != Compared::kNot) return; // no need of its box
-                if (all || folds.boxes.box(n).meets(places[place]))
-                    one.store(Compared::kNotAdjacent, std::memory_order_relaxed);
-            });
-        });
-    });
+    folds.boxes.mark_in(
+        places.size(), [&](std::size_t n) { return places[n]; }, suspected, Compared::kNotAdjacent);
     return suspected;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/large_array.h"
 #include "core/base/mapped_pages.h"
 #include "core/base/memory.h"
+#include "core/base/numbers_where.h"
 #include "core/base/shared_pages.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,6 +27,15 @@ namespace {
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
 } // namespace
+
+TEST_CASE("numbers that meet a condition are found in order, whatever their count") {
+    for (const std::uint32_t count : {0U, 1U, 65'535U, 65'536U, 65'537U, 300'000U})
+        for (const std::uint32_t every : {1U, 7U, 100'000U, 1'000'000U}) {
+            LargeArray<std::uint32_t> expected;
+            for (std::uint32_t n = every / 2; n < count; n += every) expected.push_back(n);
+            CHECK(numbers_where(count, [&](std::uint32_t n) { return n % every == every / 2; }) == expected);
+        }
+}
 
 TEST_CASE("memory that arrays gave back is no longer the process's after it is released") {
     release_unused_memory();
