@@ -107,6 +107,30 @@ TEST_CASE("daughters at ten degrees part without a pinhole between them") {
     check(vessels);
 }
 
+// Found in a grown tree. The last two vessels are far away: they give the lattice its place.
+TEST_CASE("a wall that ends between a coarser cell and a finer one leaves the surface closed") {
+    const std::vector<tree::Point> points{
+        {{37.9303, 1.3099, 73.5444}, 0.04985},   {{37.9048, 1.3272, 73.7269}, 0.04985},
+        {{68.0091, -10.6741, 60.8222}, 0.49011}, {{67.8705, -10.6199, 60.8439}, 0.49011},
+        {{67.4154, -10.3521, 60.7224}, 0.48891}, {{67.2918, -10.2229, 60.6741}, 0.48891},
+        {{67.2027, -10.0655, 60.6253}, 0.45647}, {{67.1205, -9.9006, 60.5868}, 0.45647},
+        {{67.0456, -10.4508, 60.7551}, 0.27915}, {{66.9206, -10.5662, 60.7391}, 0.27915},
+        {{66.7699, -10.5845, 60.649}, 0.27856},  {{66.6503, -10.5749, 60.5197}, 0.27856},
+        {{66.6571, -10.5526, 60.3733}, 0.27785}, {{66.7138, -10.5493, 60.2326}, 0.27785},
+        {{66.7408, -10.5272, 60.0852}, 0.27785}, {{66.738, -10.5614, 59.922}, 0.22987},
+        {{66.8175, -10.4773, 59.9344}, 0.21032}, {{66.9046, -10.7266, 60.7867}, 0.05156},
+        {{43.7888, -7.3438, -68.8863}, 0.06036}, {{43.8054, -7.3719, -69.0448}, 0.06036},
+        {{-26.8375, 24.3406, 10.159}, 0.09022},  {{-26.7495, 24.3667, 10.3018}, 0.04945}};
+    const std::vector<tree::Edge> edges{{0, 1},   {2, 3},   {4, 5},   {5, 6},   {6, 7},   {8, 9},  {9, 10},  {10, 11},
+                                        {11, 12}, {12, 13}, {13, 14}, {14, 15}, {14, 16}, {9, 17}, {18, 19}, {20, 21}};
+    Job job;
+    SurfaceOptions options;
+    options.detail = 8;
+    const auto surface = make_untangled_surface(test::built_tree(points, edges, {0, 2, 4, 8, 18, 20}), options, job);
+    REQUIRE(surface.has_value());
+    CHECK(test::topology(surface->mesh).closed_manifold());
+}
+
 TEST_CASE("segments far shorter and far longer than the radius make the same smooth vessel") {
     Vessels vessels;
     const std::uint32_t first = vessels.run(0, {2, 0, 0}, 1.0, 100);

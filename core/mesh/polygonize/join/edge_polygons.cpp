@@ -122,6 +122,7 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
     }
     const auto is_same_cell = [](const Around& a, const Around& b) { return a.brick == b.brick && a.cell == b.cell; };
     Ring ring;
+    std::size_t before_gap = 0; // entries; a coarser cell is one entry, however many places it covers
     for (std::size_t q = 0; q < 4; ++q) {
         const std::uint32_t brick = around.brick[static_cast<std::size_t>(direction[q])];
         Around entry;
@@ -134,24 +135,16 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
         }
         if (entry.vertex == SurfaceCells::kAbsent) {
             ring.open = true;
+            if (before_gap == 0) before_gap = ring.count;
             continue;
         }
         if (ring.count > 0 && is_same_cell(ring.cells[ring.count - 1], entry)) continue;
         if (q == 3 && is_same_cell(ring.cells[0], entry)) continue;
-        entry.place = static_cast<std::int32_t>(q);
         ring.cells[ring.count++] = entry;
     }
-    if (ring.open) ring.begin_after_gap();
+    const auto present = std::span(ring.cells).first(ring.count);
+    std::rotate(present.begin(), present.begin() + static_cast<std::ptrdiff_t>(before_gap), present.end());
     return ring;
-}
-
-void EdgePolygons::Ring::begin_after_gap() {
-    const auto present = std::span(cells).first(count);
-    for (std::size_t n = 0; n + 1 < count; ++n)
-        if (present[n + 1].place != present[n].place + 1) {
-            std::rotate(present.begin(), present.begin() + static_cast<std::ptrdiff_t>(n + 1), present.end());
-            return;
-        }
 }
 
 EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& edge, glm::ivec3 cell, int side) const {

@@ -68,7 +68,6 @@ private:
         std::int32_t cell = 0;
         std::int32_t level = 0;
         std::int32_t crossing = 0; // the edge's crossing in the numbering of the cell
-        std::int32_t place = 0;    // the first of the four places around the edge that it occupies
         bool recorded = false;
     };
 
@@ -77,7 +76,6 @@ private:
         std::size_t count = 0;       // 0: another brick is responsible for the edge
         bool open = false;           // a wall ends there: some cell has no vertex; the gap is after the last entry
         [[nodiscard]] std::span<const Around> span() const { return std::span(cells).first(count); }
-        void begin_after_gap(); // rotates `cells` so that the gap is after the last entry
     };
     // A crossed edge, and its end inside the vessel.
     struct Edge {
