@@ -71,16 +71,18 @@ public:
     SurfaceMaking(const SurfaceOptions& options, const Making& making)
         : options_(options), making_(making), of_mesh_(making.pages) {}
 
-    // What cannot be met is known before contacts are searched. The disk is let go of where memory suffices.
-    Result<void> check(const field::Field& sum) {
-        if (sum.skeleton().present().empty()) return {};
+    // What cannot be met is known before contacts are searched. The disk is let go of where memory suffices. Returns
+    // the memory of large arrays.
+    Result<LargeAllocator<std::byte>> check(const field::Field& sum) {
+        const auto memory = [&] { return LargeAllocator<std::byte>(of_mesh_); };
+        if (sum.skeleton().present().empty()) return memory();
         PolygonizeOptions chosen = polygonize_options(options_);
         const bricks::Sizing sizing = bricks::make_sizing(sum, chosen.detail, chosen.cell_mm);
         Result<void> in_memory = check_feasible(sum, sizing, chosen, PolygonizeMode::kWhole, making_.share());
         if (in_memory) of_mesh_ = nullptr;
-        if (of_mesh_ == nullptr) return in_memory;
+        if (of_mesh_ == nullptr) return in_memory.map(memory);
         chosen.memory_bytes += kPreparedBytes * static_cast<double>(sum.skeleton().segments().size());
-        return check_feasible(sum, sizing, chosen, PolygonizeMode::kOnDisk, making_.share());
+        return check_feasible(sum, sizing, chosen, PolygonizeMode::kOnDisk, making_.share()).map(memory);
     }
 
     // Whether the prepared tree is let go of while the surface is polygonized. It takes as much as its field.

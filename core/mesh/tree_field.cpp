@@ -97,15 +97,18 @@ Result<TreeField> make_tree_field(const tree::VesselTree& source, const SurfaceO
     PreparedTree prepared = prepare_tree(source, options);
     if (options.radii == Radii::kExact) prepared = field::with_kernel_radii(std::move(prepared), kernel);
     std::optional<field::ConvolutionField> sum = sum_of(source, options, prepared);
-    if (check)
-        if (auto possible = check(*sum); !possible) return tl::unexpected(possible.error());
+    LargeAllocator<std::byte> memory;
+    if (check) {
+        RAMUS_TRY(chosen, check(*sum));
+        memory = std::move(chosen);
+    }
     const BlendRow& row = row_of(options.blend);
     auto contacts = std::make_shared<tree::Contacts>();
     if (row.separates) {
         // The search takes as much memory as the segments, which are quickly made again.
         const field::Extent extent = sum->extent();
         sum.reset();
-        *contacts = tree::find_contacts(prepared, kernel.limits);
+        *contacts = tree::find_contacts(prepared, kernel.limits, memory);
         sum.emplace(field::Skeleton(prepared, kernel.support_radii, extent), kernel);
     }
     prepared.kernel_radii = {};

@@ -7,11 +7,13 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/large_array.h"
 #include "core/field/field.h"
 #include "core/mesh/surface_options.h"
 #include "core/tree/contacts/contacts.h"
 #include "core/tree/prepare.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -47,8 +49,9 @@ struct TreeField {
     field::Field field; // of all branches
 };
 
-// Checks the plain sum before contacts are searched: the search takes the longer, the thicker the vessels are.
-using SumCheck = std::function<Result<void>(const field::Field& sum)>;
+// Checks the plain sum before contacts are searched: the search takes the longer, the thicker the vessels are. Returns
+// the memory for that search.
+using SumCheck = std::function<Result<LargeAllocator<std::byte>>(const field::Field& sum)>;
 
 // The extent of the field is that of the whole tree, so that hiding and pruning leave everything else as it is, to the
 // last bit. Fails as `check` does.

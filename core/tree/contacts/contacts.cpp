@@ -80,10 +80,11 @@ ContactLimits limits_of_gaussian(double width) {
     return {std::sqrt(1.0 + 1.0 / width), std::sqrt(1.0 + 2.0 / width), 1.0 + 0.45 * std::sqrt(5.0 / width)};
 }
 
-Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits) {
+Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits,
+                       const LargeAllocator<std::byte>& memory) {
     const Links links(prepared);
-    const TouchingLinks touching(links, limits.reach, limits.merged);
-    const Islands islands = find_islands(links, touching, limits);
+    const TouchingLinks touching(links, limits.reach, limits.merged, memory);
+    const Islands islands = find_islands(links, touching, limits, memory);
     Contacts contacts;
     contacts.moves = spread_axes(links, islands.all);
     const std::vector<std::uint32_t>& of_segment = links.of_segment();

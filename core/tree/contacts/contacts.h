@@ -22,10 +22,12 @@
 // core/field/separation/README.md explains how the field and the polygonizer use the result.
 #pragma once
 
+#include "core/base/large_array.h"
 #include "core/tree/prepare.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -99,6 +101,9 @@ struct ContactLimits {
 // The limits of the Gaussian (core/field/kernels/gaussian.h): `merged` is sqrt(1 + 1 / width), 1.0954 at width 5.
 [[nodiscard]] ContactLimits limits_of_gaussian(double width);
 
-[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits);
+// `memory`: for what the search keeps of pairs that come near each other, 65 bytes for each, and of boxes, 30 bytes for
+// each segment.
+[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits,
+                                     const LargeAllocator<std::byte>& memory = {});
 
 } // namespace ramus::tree

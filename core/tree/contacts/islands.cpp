@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <set>
@@ -31,21 +32,22 @@ struct Step {
 // The graph of all pairs, with the steps on which the two walkers stay closer than `limit`.
 class Walks {
 public:
-    Walks(const Links& links, const TouchingLinks& touching, double limit)
-        : links_(links), touching_(touching), low_(touching.size()), first_step_(touching.size()),
-          steps_((touching.size() + kAtOnce - 1) / kAtOnce) {
+    Walks(const Links& links, const TouchingLinks& touching, double limit, const LargeAllocator<std::byte>& memory)
+        : links_(links), touching_(touching), limit_(limit), low_(touching.size(), memory),
+          first_step_(touching.size() + 1, 0, memory), steps_(memory) {
         tbb::parallel_for(std::size_t{0}, links.size(), [&](std::size_t a) {
-            for (PairId pair = touching.first(a); pair < touching.first(a + 1); ++pair)
+            for (PairId pair = touching.first(a); pair < touching.first(a + 1); ++pair) {
                 low_[pair] = static_cast<std::uint32_t>(a);
-        });
-        tbb::parallel_for(std::size_t{0}, steps_.size(), [&](std::size_t n) {
-            const std::size_t end = std::min((n + 1) * kAtOnce, size());
-            for (std::size_t pair = n * kAtOnce; pair < end; ++pair) {
-                first_step_[pair] = static_cast<std::uint32_t>(steps_[n].size());
-                find_steps(low_[pair], high(static_cast<PairId>(pair)), true, limit, steps_[n]);
-                find_steps(high(static_cast<PairId>(pair)), low_[pair], false, limit, steps_[n]);
+                for_each_step(pair, [&](std::uint32_t, std::uint32_t, bool, double) { ++first_step_[pair + 1]; });
             }
-            steps_[n].shrink_to_fit();
+        });
+        std::partial_sum(first_step_.begin(), first_step_.end(), first_step_.begin());
+        steps_.resize(first_step_.back());
+        tbb::parallel_for(PairId{0}, static_cast<PairId>(size()), [&](PairId pair) {
+            Step* step = steps_.data() + first_step_[pair];
+            for_each_step(pair, [&](std::uint32_t moved, std::uint32_t waiting, bool first, double closeness) {
+                *step++ = {touching_.find(moved, waiting), first, closeness};
+            });
         });
     }
 
@@ -54,40 +56,42 @@ public:
     [[nodiscard]] std::uint32_t high(PairId pair) const { return touching_.other(pair).link; }
     [[nodiscard]] double closeness(PairId pair) const { return static_cast<double>(touching_.other(pair).closeness); }
     [[nodiscard]] std::span<const Step> steps(PairId pair) const {
-        const std::span<const Step> block(steps_[pair / kAtOnce]);
-        const bool last = (pair + 1) % kAtOnce == 0 || pair + 1 == size();
-        return block.subspan(first_step_[pair], (last ? block.size() : first_step_[pair + 1]) - first_step_[pair]);
+        return std::span(steps_).subspan(first_step_[pair], first_step_[pair + 1] - first_step_[pair]);
     }
 
 private:
-    static constexpr std::size_t kAtOnce = 1024;
-
-    void find_steps(std::uint32_t moving, std::uint32_t waiting, bool first, double limit,
-                    std::vector<Step>& steps) const {
-        const Link link = links_[moving];
-        for (const bool at_end : {false, true}) {
-            const double on_the_way = tree::closeness(at_end ? link.b : link.a, links_[waiting]);
-            if (on_the_way >= limit) continue;
-            for (const std::uint32_t next : links_.at(at_end ? link.to : link.from))
-                if (next != moving) steps.push_back({touching_.find(next, waiting), first, on_the_way});
+    // Calls call(the link to which one walker goes on, the link of the other, whether the first one moves, the
+    // closeness on the way).
+    template <class Call> void for_each_step(PairId pair, const Call& call) const {
+        for (const bool first : {true, false}) {
+            const std::uint32_t moving = first ? low(pair) : high(pair), waiting = first ? high(pair) : low(pair);
+            const Link link = links_[moving];
+            for (const bool at_end : {false, true}) {
+                const double on_the_way = tree::closeness(at_end ? link.b : link.a, links_[waiting]);
+                if (on_the_way >= limit_) continue;
+                for (const std::uint32_t next : links_.at(at_end ? link.to : link.from))
+                    if (next != moving) call(next, waiting, first, on_the_way);
+            }
         }
     }
 
     const Links& links_;
     const TouchingLinks& touching_;
-    std::vector<std::uint32_t> low_;        // by pair: its lower link
-    std::vector<std::uint32_t> first_step_; // by pair: in its block of steps_, which is for kAtOnce pairs
-    std::vector<std::vector<Step>> steps_;
+    double limit_;
+    LargeArray<std::uint32_t> low_;        // by pair: its lower link
+    LargeArray<std::uint32_t> first_step_; // by pair, and the end
+    LargeArray<Step> steps_;
 };
 
-constexpr std::int32_t kUnknown = -2, kTogether = -1; // marks of pairs; other marks are numbers of regions
+enum class Mark : std::uint8_t { kUnknown, kTogether, kInRegion }; // of pairs
+using Marks = LargeArray<Mark>;
 
 // Marks the pairs from which a joint can be reached while the two walkers stay closer than `limit`.
-std::vector<std::int32_t> mark_together(const Walks& walks, double limit) {
-    std::vector<std::int32_t> mark(walks.size(), kUnknown);
+Marks mark_together(const Walks& walks, double limit, const LargeAllocator<std::byte>& memory) {
+    Marks mark(walks.size(), Mark::kUnknown, memory);
     std::vector<PairId> open;
     const auto reach = [&](PairId pair) {
-        if (mark[pair] == kUnknown) mark[pair] = kTogether, open.push_back(pair);
+        if (mark[pair] == Mark::kUnknown) mark[pair] = Mark::kTogether, open.push_back(pair);
     };
     for (PairId pair = 0; pair < walks.size(); ++pair)
         for (const Step& step : walks.steps(pair))
@@ -112,20 +116,19 @@ struct Region {
     bool may_hold_basins = false; // whether some pair may be closer than the way from it to the joints
 };
 
-// All unmarked pairs that can be reached from a pair. Marks them with `number`.
-Region region_of(const Walks& walks, PairId start, double merged, std::vector<std::int32_t>& mark,
-                 std::int32_t number) {
+// All unmarked pairs that can be reached from a pair. Marks them.
+Region region_of(const Walks& walks, PairId start, double merged, Marks& mark) {
     Region region;
     region.pairs.push_back(start);
-    mark[start] = number;
+    mark[start] = Mark::kInRegion;
     for (std::size_t n = 0; n < region.pairs.size(); ++n) {
         const double closeness = walks.closeness(region.pairs[n]);
         double to_joint = std::numeric_limits<double>::max();
         for (const Step& step : walks.steps(region.pairs[n])) {
-            if (step.to == kJoint || mark[step.to] == kTogether)
+            if (step.to == kJoint || mark[step.to] == Mark::kTogether)
                 to_joint = std::min(to_joint, step.closeness);
-            else if (mark[step.to] == kUnknown)
-                mark[step.to] = number, region.pairs.push_back(step.to);
+            else if (mark[step.to] == Mark::kUnknown)
+                mark[step.to] = Mark::kInRegion, region.pairs.push_back(step.to);
         }
         region.closest = std::min(region.closest, closeness);
         region.reaches_joint |= to_joint < std::numeric_limits<double>::max();
@@ -147,14 +150,14 @@ struct Basins {
     std::vector<std::uint32_t> of_pair;
     std::map<std::uint32_t, double> met;
 };
-Basins flood(const Walks& walks, const Region& region, const std::vector<std::int32_t>& mark, double merged) {
+Basins flood(const Walks& walks, const Region& region, const Marks& mark, double merged) {
     const auto count = static_cast<std::uint32_t>(region.pairs.size());
     std::map<PairId, std::uint32_t> number;
     for (std::uint32_t n = 0; n < count; ++n) number[region.pairs[n]] = n;
     std::vector<Edge> edges;
     for (std::uint32_t n = 0; n < count; ++n)
         for (const Step& step : walks.steps(region.pairs[n])) {
-            if (step.to == kJoint || mark[step.to] == kTogether)
+            if (step.to == kJoint || mark[step.to] == Mark::kTogether)
                 edges.push_back({step.closeness, n, count});
             else if (const auto other = number.find(step.to); other != number.end() && other->second > n)
                 edges.push_back({step.closeness, n, other->second});
@@ -239,9 +242,7 @@ std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& 
 // The islands of one region.
 class RegionIslands {
 public:
-    // `mark`: of all pairs, once all regions are known.
-    RegionIslands(const Links& links, const Walks& walks, const std::vector<std::int32_t>& mark,
-                  const ContactLimits& limits)
+    RegionIslands(const Links& links, const Walks& walks, const Marks& mark, const ContactLimits& limits)
         : walks_(walks), mark_(mark), limits_(limits), gaps_(links, limits.reach) {}
 
     [[nodiscard]] std::vector<Island> of(const Region& region) {
@@ -279,7 +280,7 @@ private:
     }
 
     const Walks& walks_;
-    const std::vector<std::int32_t>& mark_;
+    const Marks& mark_;
     const ContactLimits& limits_;
     Gaps gaps_;
     std::vector<Island> found_;
@@ -291,8 +292,7 @@ private:
 // these branches, as in a contact.
 class Folds {
 public:
-    Folds(const Links& links, const TouchingLinks& touching, const std::vector<std::int32_t>& mark,
-          const ContactLimits& limits)
+    Folds(const Links& links, const TouchingLinks& touching, const Marks& mark, const ContactLimits& limits)
         : links_(links), touching_(touching), mark_(mark), limits_(limits), gaps_(links, limits.reach) {}
 
     // Replaces the pairs of a gap between daughters by those of a fold, if the island is one.
@@ -340,38 +340,46 @@ private:
     [[nodiscard]] bool lie_against(std::uint32_t a, std::uint32_t b) {
         if (a == b || links_.joined(a, b)) return false;
         const PairId known = touching_.find(a, b);
-        if (known != TouchingLinks::kNone && mark_[known] != kTogether) return false;
+        if (known != TouchingLinks::kNone && mark_[known] != Mark::kTogether) return false;
         const double closeness = closest_approach(links_[a], links_[b]).closeness;
         return closeness >= 1.0 && closeness < limits_.merged && gaps_.between(a, b);
     }
 
     const Links& links_;
     const TouchingLinks& touching_;
-    const std::vector<std::int32_t>& mark_;
+    const Marks& mark_;
     const ContactLimits& limits_;
     Gaps gaps_;
 };
 
 } // namespace
 
-Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
-    const Walks walks(links, touching, limits.reach);
-    std::vector<std::int32_t> mark = mark_together(walks, limits.merged);
-    std::vector<Region> regions;
-    for (PairId start = 0; start < walks.size(); ++start)
-        if (mark[start] == kUnknown)
-            regions.push_back(region_of(walks, start, limits.merged, mark, static_cast<std::int32_t>(regions.size())));
-    std::vector<std::vector<Island>> found(regions.size());
+Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits,
+                     const LargeAllocator<std::byte>& memory) {
+    constexpr std::size_t kRegionsAtOnce = std::size_t{1} << 16; // most have no island
+    const Walks walks(links, touching, limits.reach, memory);
+    Marks mark = mark_together(walks, limits.merged, memory);
     tbb::enumerable_thread_specific<RegionIslands> threads([&] { return RegionIslands(links, walks, mark, limits); });
-    tbb::parallel_for(std::size_t{0}, regions.size(),
-                      [&](std::size_t n) { found[n] = threads.local().of(regions[n]); });
-    Islands islands;
     Folds folds(links, touching, mark, limits);
-    for (std::vector<Island>& some : found)
-        for (Island& island : some) {
-            if (island.parting) folds.complete(island);
-            islands.all.push_back(std::move(island));
-        }
+    Islands islands;
+    std::vector<Region> regions;
+    const auto look = [&] {
+        std::vector<std::vector<Island>> found(regions.size());
+        tbb::parallel_for(std::size_t{0}, regions.size(),
+                          [&](std::size_t n) { found[n] = threads.local().of(regions[n]); });
+        regions.clear();
+        for (std::vector<Island>& some : found)
+            for (Island& island : some) {
+                if (island.parting) folds.complete(island);
+                islands.all.push_back(std::move(island));
+            }
+    };
+    for (PairId start = 0; start < walks.size(); ++start) {
+        if (mark[start] != Mark::kUnknown) continue;
+        regions.push_back(region_of(walks, start, limits.merged, mark));
+        if (regions.size() == kRegionsAtOnce) look();
+    }
+    look();
     return islands;
 }
 

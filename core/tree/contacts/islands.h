@@ -30,6 +30,7 @@ struct Islands {
     std::vector<Island> all;
 };
 
-[[nodiscard]] Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits);
+[[nodiscard]] Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits,
+                                   const LargeAllocator<std::byte>& memory = {});
 
 } // namespace ramus::tree

@@ -20,32 +20,31 @@ Box box_around(const Link& link, double limit) {
     return rounded_outward(exact);
 }
 
-// The indices of the boxes in Morton order.
-std::vector<std::uint32_t> in_order(const std::vector<Box>& boxes) {
+// The links in the Morton order of their boxes' middles.
+LargeArray<std::uint32_t> in_order(const Links& links, double limit, const LargeAllocator<std::byte>& memory) {
     Box all;
-    for (const Box& box : boxes) all.hold(box);
+    for (std::size_t n = 0; n < links.size(); ++n) all.hold(box_around(links[n], limit));
     const glm::vec3 scale = 1023.0F / glm::max(all.size(), glm::vec3(1e-30F));
-    std::vector<std::uint64_t> places(boxes.size()); // Morton code in the high half, index of the link in the low half
-    for (std::size_t n = 0; n < boxes.size(); ++n) {
-        const glm::uvec3 cell((0.5F * (boxes[n].least + boxes[n].most) - all.least) * scale);
+    LargeArray<std::uint64_t> places(links.size(), memory); // Morton code in the high half, the link in the low half
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t n) {
+        const Box box = box_around(links[n], limit);
+        const glm::uvec3 cell((0.5F * (box.least + box.most) - all.least) * scale);
         places[n] = std::uint64_t{morton(cell)} << 32U | n;
-    }
+    });
     tbb::parallel_sort(places.begin(), places.end());
-    std::vector<std::uint32_t> order(boxes.size());
-    for (std::size_t n = 0; n < boxes.size(); ++n) order[n] = static_cast<std::uint32_t>(places[n]);
+    LargeArray<std::uint32_t> order(links.size(), memory);
+    for (std::size_t n = 0; n < order.size(); ++n) order[n] = static_cast<std::uint32_t>(places[n]);
     return order;
-}
-
-BoxTree sorted_boxes(const Links& links, double limit, std::vector<std::uint32_t>& order) {
-    std::vector<Box> boxes(links.size());
-    tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t n) { boxes[n] = box_around(links[n], limit); });
-    order = in_order(boxes);
-    return BoxTree(BoxTree::level_of(boxes.size(), [&](std::size_t n) { return boxes[order[n]]; }));
 }
 
 } // namespace
 
-LinkBoxes::LinkBoxes(const Links& links, double limit) : tree_(sorted_boxes(links, limit, order_)) {}
+// Boxes are computed again where they are needed, since those of all links in their own order would take as much memory
+// as the tree of boxes.
+LinkBoxes::LinkBoxes(const Links& links, double limit, const LargeAllocator<std::byte>& memory)
+    : order_(in_order(links, limit, memory)),
+      tree_(BoxTree::level_of(
+          links.size(), [&](std::size_t n) { return box_around(links[order_[n]], limit); }, memory)) {}
 
 void LinkBoxes::find_beside(std::size_t leaf, std::vector<std::uint32_t>& beside) const {
     beside.clear();

@@ -17,7 +17,7 @@ public:
     static constexpr std::size_t kFan = EightBoxes::kCount;
 
     // Two links touch if their closeness is below `limit`.
-    LinkBoxes(const Links& links, double limit);
+    LinkBoxes(const Links& links, double limit, const LargeAllocator<std::byte>& memory = {});
 
     [[nodiscard]] std::size_t leaves() const { return tree_.levels().front().size(); }
     // Leaf n holds the places kFan * n to kFan * n + kFan - 1, as far as they are below size().
@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> order_; // links in Morton order
+    LargeArray<std::uint32_t> order_; // links in Morton order
     BoxTree tree_;
 };
 

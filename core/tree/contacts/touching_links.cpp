@@ -56,9 +56,10 @@ void find_pairs(const Links& links, const LinkBoxes& boxes, std::size_t leaf, do
 
 } // namespace
 
-TouchingLinks::TouchingLinks(const Links& links, double limit, double together) {
+TouchingLinks::TouchingLinks(const Links& links, double limit, double together,
+                             const LargeAllocator<std::byte>& memory) {
     constexpr std::size_t kLeavesAtOnce = 128;
-    const LinkBoxes boxes(links, limit);
+    const LinkBoxes boxes(links, limit, memory);
     std::vector<std::vector<Found>> found((boxes.leaves() + kLeavesAtOnce - 1) / kLeavesAtOnce);
     tbb::enumerable_thread_specific<Search> searches([&] { return Search{AlongTree(links, together), {}}; });
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
@@ -66,10 +67,13 @@ TouchingLinks::TouchingLinks(const Links& links, double limit, double together) 
         for (std::size_t leaf = n * kLeavesAtOnce; leaf < std::min((n + 1) * kLeavesAtOnce, boxes.leaves()); ++leaf)
             find_pairs(links, boxes, leaf, limit, search, found[n]);
     });
-    others_ = Grouped<Other>(links.size(), [&](const auto& put) {
-        for (const auto& some : found)
-            for (const Found& pair : some) put(pair.low, pair.other);
-    });
+    others_ = Grouped<Other>(
+        links.size(),
+        [&](const auto& put) {
+            for (const auto& some : found)
+                for (const Found& pair : some) put(pair.low, pair.other);
+        },
+        memory);
     tbb::parallel_for(std::size_t{0}, links.size(),
                       [&](std::size_t n) { std::ranges::sort(others_.of(n), {}, &Other::link); });
 }

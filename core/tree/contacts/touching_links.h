@@ -3,10 +3,11 @@
 #pragma once
 
 #include "core/base/grouped.h"
+#include "core/base/large_array.h"
 #include "core/tree/contacts/links.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace ramus::tree {
 
@@ -21,7 +22,7 @@ public:
     // Finds all pairs whose closeness (closest_approach()) is below `limit`. Leaves out pairs that share a point. Also
     // leaves out most pairs for which a walk along the tree leads from one link to the other and stays closer than
     // `together` to the first link. These neighbours along a vessel are nearly all close pairs of a tree.
-    TouchingLinks(const Links& links, double limit, double together);
+    TouchingLinks(const Links& links, double limit, double together, const LargeAllocator<std::byte>& memory = {});
 
     // Pairs have the numbers 0 to size() - 1. Pairs with the same lower link are consecutive.
     [[nodiscard]] std::size_t size() const { return others_.all().size(); }
