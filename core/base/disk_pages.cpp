@@ -26,6 +26,10 @@ namespace {
 // the room is for the pages that they map meanwhile.
 constexpr std::chrono::milliseconds kBetweenLooks(5);
 constexpr double kShare = 0.25; // of the room that other memory leaves
+// Allocators keep what is freed, which counts as resident. From so much other memory on, as a share of the limit, it is
+// given back; not more often, since that takes up to a tenth of a second.
+constexpr double kMuch = 0.7;
+constexpr std::chrono::seconds kBetweenReturns(2);
 
 fs::path folder_on_disk_of(const fs::path& target) {
     std::error_code code;
@@ -85,9 +89,15 @@ void DiskPages::watch(const std::stop_token& stop) const {
     std::mutex mutex;
     std::condition_variable_any never;
     std::unique_lock lock(mutex);
+    auto returned = std::chrono::steady_clock::now();
     while (!stop.stop_requested()) {
         never.wait_for(lock, stop, kBetweenLooks, [] { return false; });
         const double of_files = process_file_memory(), other = process_memory() - of_files;
+        if (const auto now = std::chrono::steady_clock::now();
+            other > kMuch * most_bytes_ && now - returned > kBetweenReturns) {
+            release_unused_memory();
+            returned = now;
+        }
         if (of_files <= kShare * (most_bytes_ - other)) continue;
         const std::lock_guard mapped(mutex_);
         drop();

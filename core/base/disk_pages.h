@@ -1,8 +1,8 @@
 // DiskPages: memory for arrays that are larger than the process may take, in mapped files without a name.
 //
-// A thread watches the resident memory of the process. Near the limit it drops all mapped pages. Dropped pages keep
-// their content; the next access maps them again, from the system's cache or from the disk. Dropping is safe while
-// other threads read and write.
+// A thread watches the resident memory of the process. Near the limit it drops all mapped pages, and returns memory
+// that allocators keep unused. Dropped pages keep their content; the next access maps them again, from the system's
+// cache or from the disk. Dropping is safe while other threads read and write.
 //
 // Guaranteed: disk space is reserved before it is used, so a full disk is an error and never a signal. Nothing is left
 // behind, however the program ends.

@@ -77,7 +77,7 @@ public:
         const auto memory = [&] { return LargeAllocator<std::byte>(of_mesh_); };
         if (sum.skeleton().present().empty()) return memory();
         PolygonizeOptions chosen = polygonize_options(options_);
-        const bricks::Sizing sizing = bricks::make_sizing(sum, chosen.detail, chosen.cell_mm);
+        const bricks::Sizing sizing = bricks::make_sizing(sum, chosen.detail, chosen.cell_mm, memory());
         Result<void> in_memory = check_feasible(sum, sizing, chosen, PolygonizeMode::kWhole, making_.share());
         if (in_memory) of_mesh_ = nullptr;
         if (of_mesh_ == nullptr) return in_memory.map(memory);

@@ -10,11 +10,11 @@ Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptio
                                 PolygonizeStatistics* statistics, std::vector<Bounds<glm::vec3>>* walled) {
     if (auto some = check_segments(field); !some) return tl::unexpected(some.error());
     Stopwatch watch;
-    const bricks::Sizing sizing = bricks::make_sizing(field, options.detail, options.cell_mm);
+    const LargeAllocator<std::byte> memory(options.disk);
+    const bricks::Sizing sizing = bricks::make_sizing(field, options.detail, options.cell_mm, memory);
     const PolygonizeMode mode = options.disk != nullptr ? PolygonizeMode::kOnDisk : PolygonizeMode::kWhole;
     if (auto possible = check_feasible(field, sizing, options, mode); !possible)
         return tl::unexpected(possible.error());
-    const LargeAllocator<std::byte> memory(options.disk);
     bricks::Octree octree = bricks::build_octree(field, sizing, job, memory);
     if (job.cancelled()) return fail("cancelled");
     const double bricks_s = watch.lap();

@@ -127,8 +127,9 @@ std::vector<std::uint32_t> subtrees_beside(const Octree& octree, const OctreeCha
     return beside;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+LargeArray<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree,
+                                                                      const LargeAllocator<std::byte>& memory) {
+    LargeArray<std::pair<std::uint32_t, std::uint32_t>> pairs(memory);
     const auto everywhere = [](const Surroundings&) { return true; };
     // The smaller subtree of a pair finds the larger one; of two with the same size, the first one adds the pair.
     const auto visit = [&](std::uint32_t subtree, const Surroundings& around) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/base/chunked_array.h"
+#include "core/base/large_array.h"
 #include "core/mesh/polygonize/octree/octree.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -119,7 +121,8 @@ inline constexpr std::uint32_t kNoBrick = 0xFFFFFFFFU;
 void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found);
 
 // Pairs of subtrees that touch each other, in no particular order; a pair may occur twice.
-[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree);
+[[nodiscard]] LargeArray<std::pair<std::uint32_t, std::uint32_t>>
+touching_subtrees(const Octree& octree, const LargeAllocator<std::byte>& memory = {});
 
 // The changes that an update made to the octree.
 struct OctreeChanges {

@@ -67,7 +67,7 @@ glm::vec3 end_of(const SizingPiece& piece) { return piece.start + piece.length *
 
 void group_pieces(Sizing& sizing, float half_extent) {
     // Sorts by position on the Morton curve, then by index.
-    std::vector<std::uint64_t> order;
+    LargeArray<std::uint64_t> order(sizing.pieces.get_allocator());
     order.reserve(sizing.pieces.size());
     for (const SizingPiece& piece : sizing.pieces) {
         const glm::vec3 position = (0.5F * (piece.start + end_of(piece)) + half_extent) / (2.0F * half_extent);
@@ -98,13 +98,15 @@ void group_pieces(Sizing& sizing, float half_extent) {
 
 } // namespace
 
-Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
+Sizing make_sizing(const field::Field& field, int detail, double cell_mm, const LargeAllocator<std::byte>& memory) {
     const Segments& s = field.skeleton().segments();
     const glm::dvec3 origin = field.extent().middle();
     // The whole support, so that a cube that a segment reaches is never coarser than the segment requires.
     const double reach_radii = field.support_radii();
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
+    sizing.pieces = LargeArray<SizingPiece>(memory);
+    sizing.grouped = LargeArray<std::uint32_t>(memory);
     sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.extent().thinnest;
     double ball = 0.0; // triangles
     const auto add = [&](std::int32_t branch, glm::dvec3 a, glm::dvec3 b, double thinnest, double thickest,

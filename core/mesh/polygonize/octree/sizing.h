@@ -8,10 +8,12 @@
 // the two. With slope <= 1 / (4 sqrt 3) = 0.1443 the smaller cube has g >= s / 8, so it is not divided either.
 #pragma once
 
+#include "core/base/large_array.h"
 #include "core/field/field.h"
 #include "core/mesh/polygonize/octree/lattice.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -35,19 +37,20 @@ struct Sizing {
     // Cell sizes differ by powers of two, and the size nearest to the required one is used. So cells may be larger than
     // required by this factor. Cells around the thinnest vessel have exactly the required size.
     static constexpr double kRounding = 1.4142135623730951;
-    std::vector<SizingPiece> pieces; // empty: one cell size everywhere
+    LargeArray<SizingPiece> pieces; // empty: one cell size everywhere
     // Conservative stand-ins for groups of nearby pieces: a cube that a group does not reach, none of its pieces
     // reaches. The pieces of group n are the entries of `grouped` from kGroupPieces * n on.
     static constexpr std::size_t kGroupPieces = 16;
     std::vector<SizingPiece> groups;
-    std::vector<std::uint32_t> grouped;
+    LargeArray<std::uint32_t> grouped;
     double cell_per_radius = 0.0; // required cell size over the radius of a vessel; 0: one cell size everywhere
     double finest_cell_mm = 0.0;
     double expected_triangles = 0.0; // a rough forecast, to refuse surfaces that cannot fit into memory
 };
 
 // `detail`: cells around a vessel. `cell_mm` > 0: one cell size everywhere instead.
-[[nodiscard]] Sizing make_sizing(const field::Field& field, int detail, double cell_mm);
+[[nodiscard]] Sizing make_sizing(const field::Field& field, int detail, double cell_mm,
+                                 const LargeAllocator<std::byte>& memory = {});
 
 // For each of `pieces` (indices into `all`), one bit per child of a cube: whether the piece requires smaller cells than
 // those of the child as a brick.

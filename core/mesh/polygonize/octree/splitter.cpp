@@ -8,12 +8,22 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// Distributes `list` to the children according to `bits`. `memory` receives the lists.
+// Distributes `list` to the children according to `bits`. `memory` receives the lists. Those of a short list get room
+// for all of it; where that would be much, they are counted first.
 std::array<Indices, field::kChildren> deal(Indices list, std::span<const std::uint8_t> bits,
                                            std::vector<std::uint32_t>& memory) {
-    if (memory.size() < field::kChildren * list.size()) memory.resize(field::kChildren * list.size());
+    constexpr std::size_t kLong = std::size_t{1} << 16;
+    std::array<std::size_t, field::kChildren + 1> first{};
+    for (std::size_t c = 0; c < field::kChildren; ++c) {
+        std::size_t room = list.size();
+        if (list.size() > kLong)
+            room = 1 + static_cast<std::size_t>(std::count_if(bits.begin(), bits.begin() + std::ssize(list),
+                                                              [&](std::uint8_t b) { return (b >> c & 1) != 0; }));
+        first[c + 1] = first[c] + room;
+    }
+    if (memory.size() < first.back()) memory.resize(first.back());
     std::array<std::uint32_t*, field::kChildren> begin;
-    for (std::size_t c = 0; c < field::kChildren; ++c) begin[c] = memory.data() + c * list.size();
+    for (std::size_t c = 0; c < field::kChildren; ++c) begin[c] = memory.data() + first[c];
     auto end = begin;
     for (std::size_t m = 0; m < list.size(); ++m) {
         for (std::size_t c = 0; c < field::kChildren; ++c) {
@@ -93,7 +103,7 @@ void Splitter::split(const Cube& cube, Children& children, bool upper) const {
     std::array<Indices, field::kChildren> pieces;
     const bool uniform = sizing.pieces.empty();
     if (!uniform) {
-        const auto& all = upper ? sizing.groups : sizing.pieces;
+        const std::span<const SizingPiece> all = upper ? std::span(sizing.groups) : std::span(sizing.pieces);
         children.bits.resize(std::max(children.bits.size(), cube.pieces.size()));
         active_children(all, cube.pieces, cubes, children.bits);
         pieces = deal(cube.pieces, children.bits, children.pieces);

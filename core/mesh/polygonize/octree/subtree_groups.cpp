@@ -1,6 +1,7 @@
 #include "core/mesh/polygonize/octree/subtree_groups.h"
 
 #include <iterator>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <utility>
 
@@ -13,6 +14,7 @@ template <class IsEnd> SubtreeGroup divide(const Splitter& splitter, Seed top, c
     SubtreeGroup group;
     std::vector<Seed>& frontier = group.seeds;
     frontier.push_back(std::move(top));
+    tbb::enumerable_thread_specific<Children> scratch; // large cubes take much
     for (bool some = true; some && !job.cancelled();) {
         std::vector<std::uint32_t> upper_of(frontier.size());
         some = false;
@@ -29,7 +31,7 @@ template <class IsEnd> SubtreeGroup divide(const Splitter& splitter, Seed top, c
                 next[i].push_back(std::move(frontier[i]));
                 return;
             }
-            thread_local Children children;
+            Children& children = scratch.local();
             splitter.split_upper(frontier[i].cube, children);
             for (std::size_t c = 0; c < field::kChildren; ++c) {
                 std::uint8_t& full = group.upper[upper_of[i]].full;

@@ -93,10 +93,13 @@ private:
 
 } // namespace
 
-Touching touching_each(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, std::size_t subtrees) {
-    return {subtrees, [&](const auto& put) {
+Touching touching_each(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, std::size_t subtrees,
+                       const LargeAllocator<std::byte>& memory) {
+    return {subtrees,
+            [&](const auto& put) {
                 for (const auto& [a, b] : pairs) put(a, b), put(b, a);
-            }};
+            },
+            memory};
 }
 
 double share_of_work(std::span<const SubtreeSize> sizes, SubtreeRange range) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/base/grouped.h"
+#include "core/base/large_array.h"
 #include "core/mesh/polygonize/octree/octree.h"
 #include "core/mesh/polygonize/octree/partial_octree.h"
 #include "core/mesh/polygonize/surface_batches.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -18,7 +20,7 @@ namespace ramus::mesh::bricks {
 using Touching = Grouped<std::uint32_t>;
 // `pairs`: all of them (touching_subtrees() in octree/neighbours.h).
 [[nodiscard]] Touching touching_each(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
-                                     std::size_t subtrees);
+                                     std::size_t subtrees, const LargeAllocator<std::byte>& memory = {});
 
 // Adds all subtrees that touch those in the set, whose entry is not 0.
 void add_ring(std::vector<std::uint8_t>& set, const Touching& touching);

@@ -30,8 +30,8 @@ std::vector<SubtreeBatch> batches_of_part(std::span<const SubtreeBatch> schedule
 } // namespace
 
 PartMaking::PartMaking(const field::Field& field, const PolygonizeOptions& options, const PartOf& part, Team* team)
-    : field_(field), options_(options), part_(part), team_(team),
-      sizing_(make_sizing(field, options.detail, options.cell_mm)), memory_(options.disk) {}
+    : field_(field), options_(options), part_(part), team_(team), memory_(options.disk),
+      sizing_(make_sizing(field, options.detail, options.cell_mm, memory_)) {}
 
 Result<void> PartMaking::plan(Job& job) {
     Stopwatch watch;
@@ -43,8 +43,8 @@ Result<void> PartMaking::plan(Job& job) {
     for (const FoundSubtrees& some : found) groups += some.groups.size();
     if (job.cancelled() || groups < octree_->groups()) return fail("cancelled");
     const std::vector<SubtreeSize> sizes = octree_->enter(found);
-    const auto pairs = touching_subtrees(octree_->octree());
-    const Touching touching = touching_each(pairs, sizes.size());
+    const auto pairs = touching_subtrees(octree_->octree(), memory_);
+    const Touching touching = touching_each(pairs, sizes.size(), memory_);
     ranges_ = divided(octree_->octree(), sizes, touching, part_.count);
     std::vector<std::uint8_t> wanted(sizes.size(), 0);
     std::fill(wanted.begin() + range().first, wanted.begin() + range().end, 1);

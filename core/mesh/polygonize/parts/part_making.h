@@ -41,8 +41,8 @@ private:
     const PolygonizeOptions& options_;
     PartOf part_;
     Team* team_;
-    Sizing sizing_;
     LargeAllocator<std::byte> memory_;
+    Sizing sizing_;
     std::unique_ptr<PartialOctree> octree_;
     std::vector<SubtreeRange> ranges_; // by part
     std::vector<std::uint8_t> fill_;   // by subtree
