@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <oneapi/tbb/parallel_for.h>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -162,17 +162,13 @@ private:
 // Numbers sets consecutively, in the order of first use.
 class Numbers {
 public:
-    Numbers(std::size_t sets, const LargeAllocator<std::byte>& memory) : numbers_(sets, kNone, memory) {}
     std::uint32_t of(std::uint32_t set) {
-        if (numbers_[set] == kNone) numbers_[set] = count_++;
-        return numbers_[set];
+        return numbers_.try_emplace(set, static_cast<std::uint32_t>(numbers_.size())).first->second;
     }
-    [[nodiscard]] std::uint32_t count() const { return count_; }
+    [[nodiscard]] std::size_t count() const { return numbers_.size(); }
 
 private:
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    LargeArray<std::uint32_t> numbers_;
-    std::uint32_t count_ = 0;
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers_; // sets are far fewer than vertices
 };
 
 // A closed line of the border.
@@ -237,7 +233,7 @@ SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const TriangleBoxes& boxes,
     : border_vertices_(mesh.memory()), parts_(mesh.memory()), rest_with_loops_(mesh.memory()) {
     const LargeArray<BorderEdge> border = single_border(mesh, boxes, near);
     Division division(mesh, near, border);
-    Numbers numbers(division.numbers(), mesh.memory()); // of parts, then of the pieces of the rest at them
+    Numbers numbers; // of parts, then of the pieces of the rest at them
     for (const std::uint32_t n : near) numbers.of(division.set_of(mesh.triangles[n].x));
     parts_.assign(numbers.count(), SurfacePart());
     triangles_ = Grouped<std::uint32_t>(

@@ -6,7 +6,7 @@
 // vertex of two borders, all triangles are added to the part. Parts, pieces of the rest and borders form a graph. On a
 // surface without loops every border divides the surface, so this graph is a tree. Two borders of a part are connected
 // beyond it if they lie on a cycle of the graph, that is, in one biconnected component.
-// All arrays are in the memory of the surface (TriangleMesh::memory()), since there may be as many parts as vessels meet.
+// Arrays are in the memory of the surface (TriangleMesh::memory()), since there may be as many parts as vessels meet.
 #pragma once
 
 #include "core/base/bounds.h"
