@@ -4,6 +4,7 @@
 
 #include "core/tree/contacts/links.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,11 +15,11 @@ class AlongTree {
 public:
     // The search passes a point of the tree only if its closeness to the start link is below `limit`. The two ends of
     // the start link are always passed.
-    AlongTree(const Links& links, double limit) : links_(links), limit_(limit), reached_from_(links.size(), kNoLink) {}
+    AlongTree(const Links& links, double limit) : links_(links), limit_(limit), reached_in_(links.size(), 0) {}
 
     // Runs the search from `link`. The other functions return its result.
     void start(std::uint32_t link) {
-        start_ = link;
+        if (++search_ == 0) std::ranges::fill(reached_in_, 0U), search_ = 1;
         all_.clear();
         add(link, links_[link].from);
         go_on_through(links_[link].from);
@@ -31,7 +32,7 @@ public:
         }
     }
 
-    [[nodiscard]] bool reached(std::uint32_t link) const { return reached_from_[link] == start_; }
+    [[nodiscard]] bool reached(std::uint32_t link) const { return reached_in_[link] == search_; }
     struct Arrival {
         std::uint32_t link, through; // the link, and the point of the tree through which it was reached
     };
@@ -39,21 +40,19 @@ public:
     [[nodiscard]] const std::vector<Arrival>& all() const { return all_; }
 
 private:
-    static constexpr std::uint32_t kNoLink = 0xFFFFFFFFU;
-
     void add(std::uint32_t link, std::uint32_t through) {
-        reached_from_[link] = start_;
+        reached_in_[link] = search_;
         all_.push_back({link, through});
     }
     void go_on_through(std::uint32_t point) {
         for (const std::uint32_t next : links_.at(point))
-            if (reached_from_[next] != start_) add(next, point);
+            if (reached_in_[next] != search_) add(next, point);
     }
 
     const Links& links_;
     double limit_;
-    std::uint32_t start_ = kNoLink;
-    std::vector<std::uint32_t> reached_from_; // by link: the start of the last search that reached it
+    std::uint32_t search_ = 0;              // its number; several may begin at one link
+    std::vector<std::uint32_t> reached_in_; // by link: the last search that reached it
     std::vector<Arrival> all_;
 };
 

@@ -1,4 +1,5 @@
 // Pairs of links that touch, against all pairs tried one by one.
+#include "core/tree/contacts/along_tree.h"
 #include "core/tree/contacts/touching_links.h"
 #include "tests/support/packed_trees.h"
 
@@ -40,6 +41,20 @@ std::vector<bool> along_tree(const Links& links, std::uint32_t from) {
 }
 
 } // namespace
+
+TEST_CASE("a search along the tree finds the same, also when another one began at the same link before") {
+    const PreparedTree prepared = prepared_of(test::packed_trees(1));
+    const Links links(prepared);
+    AlongTree along(links, kTogether);
+    const auto count = static_cast<std::uint32_t>(links.size());
+    for (std::uint32_t n = 0; n < 3 * count; ++n) {
+        const std::uint32_t from = n % 2 == 0 ? n % count : (n + 1) / 2 % 7;
+        along.start(from);
+        const std::vector<bool> expected = along_tree(links, from);
+        for (std::uint32_t link = 0; link < count; ++link) REQUIRE(along.reached(link) == expected[link]);
+        REQUIRE(along.all().size() == static_cast<std::size_t>(std::ranges::count(expected, true)));
+    }
+}
 
 TEST_CASE("all pairs of links that touch are found, but for neighbours along the tree") {
     for (const std::uint64_t seed : {1U, 2U}) {
