@@ -25,6 +25,7 @@ VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces, Rims
 
 void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
+    ++brick_;
     axes_ = axes;
     onward_ = rims_ == Rims::kOverlapping ? kOnwardCells * (axes.x[1] - axes.x[0]) : 0.0;
     parts_ = views_.enter(list, axes);
@@ -65,8 +66,7 @@ float VesselBrick::value_at(const glm::dvec3& point, float plain) {
     // A view is never above the plain sum, so a point outside of the plain surface stays outside.
     if (plain < views_.isovalue() || !views_.in_zone(point)) return plain;
     const Verdict verdict = judge(point, plain);
-    // Bricks may differ in whether a point has an owner, but never in which owner it is, so the cache outlives a brick.
-    if (verdict.owner != kNoOwner) known(point) = {point, verdict.owner, true};
+    if (verdict.owner != kNoOwner) known(point) = {point, verdict.owner, brick_};
     return verdict.value;
 }
 
@@ -107,7 +107,7 @@ std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<con
 Owner VesselBrick::owner_at(const glm::dvec3& point) {
     if (!known_.empty()) {
         const Known& there = known(point);
-        if (there.is_known && there.point == point) return there.owner;
+        if (there.brick == brick_ && there.point == point) return there.owner;
     }
     return views_.in_zone(point) ? judge(point, views_.isovalue()).owner : kNoOwner;
 }

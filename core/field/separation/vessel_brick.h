@@ -53,12 +53,13 @@ private:
     [[nodiscard]] bool is_beside_contact(const glm::dvec3& point);
     [[nodiscard]] Bounds<glm::dvec3> bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
 
-    // A cache of the owners of recently sampled points, in this brick or a previous one: the polygonizer needs the
-    // owners of a point soon after its value, and bricks that touch share points.
+    // A cache of the owners of points that were sampled: the polygonizer needs the owners of a point soon after its
+    // value. Those of another brick are not used. Whether a point has an owner may differ there, and which bricks a
+    // thread has seen before depends on the other threads.
     struct Known {
         glm::dvec3 point{0.0};
         Owner owner = kNoOwner;
-        bool is_known = false;
+        std::uint32_t brick = 0; // its number among those entered; 0: none
     };
     Known& known(const glm::dvec3& point);
 
@@ -70,6 +71,7 @@ private:
     GridAxes axes_;
     bool parts_ = false;
     std::vector<Known> known_;  // by a hash of the point; empty until first use
+    std::uint32_t brick_ = 0;   // the number of bricks entered
     std::uint64_t kernels_ = 0; // kernels evaluated since the count was last returned
 };
 
