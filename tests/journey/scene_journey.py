@@ -49,7 +49,9 @@ def asked(window):
 
 
 def alone(window, count=1):
-    return window.wait("what is shown without a tree", lambda s: len(s.get("context", [])) == count and s["all_shown"])
+    """Once the picture is of what is shown: on a busy machine an earlier one, without a scale bar, stays for a while."""
+    return window.wait("what is shown without a tree, and a scale bar",
+                       lambda s: len(s.get("context", [])) == count and s["all_shown"] and s["scale_bar"] is not None)
 
 
 def off_picture(window):
