@@ -49,9 +49,7 @@ def asked(window):
 
 
 def alone(window, count=1):
-    """Once the picture is of what is shown: on a busy machine an earlier one, without a scale bar, stays for a while."""
-    return window.wait("what is shown without a tree, and a scale bar",
-                       lambda s: len(s.get("context", [])) == count and s["all_shown"] and s["scale_bar"] is not None)
+    return window.wait("what is shown without a tree", lambda s: len(s.get("context", [])) == count and s["all_shown"])
 
 
 def off_picture(window):
