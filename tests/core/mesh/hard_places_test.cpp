@@ -107,7 +107,7 @@ TEST_CASE("daughters at ten degrees part without a pinhole between them") {
     check(vessels);
 }
 
-// Found in a grown tree. The last two vessels are far away: they give the lattice its place.
+// Found in a grown tree. The first vessel and the last two are far away: they give the lattice its place.
 TEST_CASE("a wall that ends between a coarser cell and a finer one leaves the surface closed") {
     const std::vector<tree::Point> points{
         {{37.9303, 1.3099, 73.5444}, 0.04985},   {{37.9048, 1.3272, 73.7269}, 0.04985},
