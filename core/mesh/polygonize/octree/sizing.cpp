@@ -96,6 +96,24 @@ void group_pieces(Sizing& sizing, float half_extent) {
     }
 }
 
+// Divides a strongly conical segment, so that its thick end does not get the cells of its thin end. The ratio is that
+// of its larger radius to its smaller one.
+template <class Add> void add_cone(const field::FieldSegment& s, double ratio, double reach_radii, const Add& add) {
+    const double r0 = s.radius;
+    const double r1 = s.end_radius();
+    const int count = static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio)));
+    const glm::dvec3 a = start_of(s);
+    const glm::dvec3 b = end_of(s);
+    for (int part = 0; part < count; ++part) {
+        const double f0 = static_cast<double>(part) / count;
+        const double f1 = static_cast<double>(part + 1) / count;
+        const double ra = r0 + (r1 - r0) * f0;
+        const double rb = r0 + (r1 - r0) * f1;
+        add(s.branch, a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb),
+            reach_radii * std::max(ra, rb) * double(s.thickest()) / std::max(r0, r1), 0.0);
+    }
+}
+
 } // namespace
 
 Sizing make_sizing(const field::Field& field, int detail, double cell_mm, const LargeAllocator<std::byte>& memory) {
@@ -131,18 +149,7 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm, const 
         const double r1 = s[i].end_radius();
         const double ratio = std::max(r0, r1) / std::min(r0, r1);
         if (ratio > kPieceRatio && cell_mm <= 0.0) {
-            // Divides a strongly conical segment, so that its thick end does not get the cells of its thin end.
-            const int count = static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio)));
-            const glm::dvec3 a = start_of(s[i]);
-            const glm::dvec3 b = end_of(s[i]);
-            for (int part = 0; part < count; ++part) {
-                const double f0 = static_cast<double>(part) / count;
-                const double f1 = static_cast<double>(part + 1) / count;
-                const double ra = r0 + (r1 - r0) * f0;
-                const double rb = r0 + (r1 - r0) * f1;
-                add(s[i].branch, a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb),
-                    reach_radii * std::max(ra, rb) * double(s[i].thickest()) / std::max(r0, r1), 0.0);
-            }
+            add_cone(s[i], ratio, reach_radii, add);
             ++n;
             continue;
         }
