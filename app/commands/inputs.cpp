@@ -49,10 +49,11 @@ void say(const SurfaceFlags& flags, const std::string& line) {
     if (flags.verbose) std::cerr << "ramus: " << line << '\n';
 }
 
-Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags) {
+Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags,
+                                   std::optional<double> threshold) {
     auto read = with_progress("reading", [&](Job& job) {
         return io::read_volume(
-            file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit, flags.read.part}, job);
+            file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit, flags.read.part, threshold}, job);
     });
     if (!read) return read;
     say(flags, io::input_name(file) + ": " + read->type + ", " + std::to_string(read->size.x) + " x " +

@@ -27,7 +27,9 @@ void say(const SurfaceFlags& flags, const std::string& line);
 
 // Reads a mask or scan. All commands read their volumes with this function. Shows a progress bar; an interrupt cancels.
 // With --verbose, prints on standard error what was assumed because the file does not say it.
-[[nodiscard]] Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags);
+// `threshold`: as in io::ReadVolumeOptions.
+[[nodiscard]] Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags,
+                                                 std::optional<double> threshold = {});
 
 // Prints the suspicions of the volume's reader on standard error, for example that the size looks like another unit.
 void warn_about(const std::string& file, const volume::Volume& volume);

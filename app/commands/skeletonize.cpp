@@ -109,7 +109,7 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
     Stopwatch watch;
     Seconds seconds;
-    RAMUS_TRY(mask, load_volume(flags.file, flags.reading));
+    RAMUS_TRY(mask, load_volume(flags.file, flags.reading, flags.reading.read.mask.isovalue));
     seconds.load = watch.lap();
     volume::SkeletonizeFigures figures;
     const auto make = [&](Job& job) {

@@ -30,7 +30,7 @@ Result<tree::VesselTree> read_tree_or_mask(const fs::path& path, const io::ReadO
         return fail("this is a session, where a vessel tree or a mask is needed", path.string(),
                     "give it to --session of ramus render, mesh or convert, or name its tree's file");
     if (!io::is_volume(path)) return io::read_tree(path, options);
-    RAMUS_TRY(mask, io::read_volume(path, {memory_bytes, options.unit, options.part}, job));
+    RAMUS_TRY(mask, io::read_volume(path, {memory_bytes, options.unit, options.part, options.mask.isovalue}, job));
     RAMUS_TRY(tree, io::tree_of_mask(std::move(mask), path, options, memory_bytes, job));
     if (auto good = io::join_branch_table(tree, options); !good) return tl::unexpected(good.error());
     return std::move(tree);

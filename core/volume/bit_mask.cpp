@@ -268,7 +268,7 @@ auto kept_inside(const Volume& volume, const Selection& selection, const JobRang
         [&]<class Values>(const Values& values) -> Mask {
             using T = std::decay_t<decltype(values[0])>;
             if (isovalue) {
-                const double value = *isovalue;
+                const double value = volume.threshold ? 1.0 : *isovalue;
                 return fill<Kept>(
                     volume, values, [value](T v) { return static_cast<double>(v) >= value; }, job);
             }

@@ -53,8 +53,8 @@ struct Selection {
     std::optional<double> isovalue;
 };
 
-// The mask of a selection. A voxel with several labels (Volume::overlaps) is inside if one of them is selected.
-// Fails if
+// The mask of a selection. The isovalue for a volume that holds a threshold is that threshold. A voxel with several
+// labels (Volume::overlaps) is inside if one of them is selected. Fails if
 // - labels are selected and values are not whole numbers, or no voxel has one of the labels,
 // - an isovalue is selected and labels overlap,
 // - nothing is selected and the volume does not look like a mask,

@@ -52,6 +52,7 @@ struct Volume {
     glm::dmat4 to_patient{1.0};
     Voxels voxels;                       // voxel (i, j, k) at index i + size.x * (j + size.y * k)
     double minimum = 0.0, maximum = 0.0; // of the values, without those that stand for several labels
+    std::optional<double> threshold;     // values are 1 where the file has at least this one, else 0; none: as the file
     std::string type;                    // of the file: "NIfTI-1, int16"
     std::optional<double> unit_mm;       // unit that the file states, included in to_patient; none: not stated
     std::vector<std::string> notes;      // assumptions where the file states nothing; one sentence each

@@ -45,6 +45,11 @@ template <class From, class To> void move_values(SparseArray<From>& from, std::s
     empty_pages(from.data() + first, (end - first) * sizeof(From));
 }
 
+template <class Raw> double scaled(Raw raw, const Scaling& scaling) {
+    const auto value = static_cast<double>(raw);
+    return scaling.none() ? value : scaling.slope * value + scaling.intercept;
+}
+
 std::string text_of(double whole) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "%.0f", whole);
@@ -53,15 +58,19 @@ std::string text_of(double whole) {
 
 } // namespace
 
-VoxelStore::VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name)
-    : size_(size), total_(voxel_count(size)), memory_bytes_(memory_bytes), name_(std::move(name)),
-      voxels_(VoxelRuns()) {}
+VoxelStore::VoxelStore(const glm::ivec3& size, const Keeping& keeping, std::string name)
+    : size_(size), total_(voxel_count(size)), keeping_(keeping), name_(std::move(name)), voxels_(VoxelRuns()) {}
 
 std::string VoxelStore::voxel_name(std::size_t at) const {
     const auto x = static_cast<std::size_t>(size_.x);
     const auto y = static_cast<std::size_t>(size_.y);
     return "voxel (" + std::to_string(at % x) + ", " + std::to_string(at / x % y) + ", " + std::to_string(at / x / y) +
            ")";
+}
+
+tl::unexpected<Error> VoxelStore::not_finite(std::size_t at) const {
+    return fail("the value of " + voxel_name(at) + " is not finite", name_,
+                "replace it, by 0 if nothing was measured there");
 }
 
 template <class Value> VoxelStore::Range VoxelStore::range_of(const Value* values, std::size_t count) const {
@@ -131,8 +140,9 @@ bool VoxelStore::are_runs_worth_it(double slack_bytes) const {
 }
 
 Result<void> VoxelStore::check_memory(double bytes) const {
-    if (bytes <= memory_bytes_) return {};
-    return fail(takes_too_much("the volume", bytes, memory_bytes_), name_, "crop it, or allow more with --memory");
+    if (bytes <= keeping_.memory_bytes) return {};
+    return fail(takes_too_much("the volume", bytes, keeping_.memory_bytes), name_,
+                "crop it, or allow more with --memory");
 }
 
 Result<void> VoxelStore::make_room_for(const Range& range, bool exact) {
@@ -158,8 +168,7 @@ template <class Value> Result<void> VoxelStore::put(const Value* values, std::si
         const auto at = static_cast<std::size_t>(
             std::find_if(values, values + count, [](Value v) { return !std::isfinite(static_cast<double>(v)); }) -
             values);
-        return fail("the value of " + voxel_name(used_ + at) + " is not finite", name_,
-                    "replace it, by 0 if nothing was measured there");
+        return not_finite(used_ + at);
     }
     if (auto room = make_room_for(range, std::is_integral_v<Value>); !room) return room;
     std::visit(
@@ -178,8 +187,7 @@ std::size_t VoxelStore::put_runs_in(Runs& runs, const Raw* raw, std::size_t coun
     constexpr double kLeast = std::is_integral_v<Value> ? 0.0 : -kMost;
     std::size_t n = 0;
     while (n < count && are_runs_worth_it(kRunsSlack)) {
-        const double value = scaling.none() ? static_cast<double>(raw[n])
-                                            : scaling.slope * static_cast<double>(raw[n]) + scaling.intercept;
+        const double value = scaled(raw[n], scaling);
         if (!(value >= kLeast && value <= kMost && (!std::is_integral_v<Value> || is_whole(value)))) break;
         const std::size_t end = end_of_run(raw, n, count);
         runs.add(static_cast<Value>(value), end - n);
@@ -197,8 +205,7 @@ template <class Raw> std::size_t VoxelStore::put_runs(const Raw* raw, std::size_
     if (runs == nullptr) return 0;
     const std::size_t put = put_runs_in(*runs, raw, count, scaling);
     if (put == count || !are_runs_worth_it(kRunsSlack)) return put;
-    const double value = scaling.none() ? static_cast<double>(raw[put])
-                                        : scaling.slope * static_cast<double>(raw[put]) + scaling.intercept;
+    const double value = scaled(raw[put], scaling);
     if (!std::isfinite(value) || is_whole(value)) return put;
     // Converts the runs at the first fraction.
     FractionRuns fractions;
@@ -216,7 +223,7 @@ std::vector<double> VoxelStore::without_nan(const Raw* raw, std::size_t count, c
     for (std::size_t n = 0; n < count; ++n) {
         const auto value = static_cast<double>(raw[n]);
         if (!std::isnan(value)) {
-            values[n] = scaling.none() ? value : scaling.slope * value + scaling.intercept;
+            values[n] = scaled(value, scaling);
             continue;
         }
         ++nan_count_;
@@ -243,16 +250,37 @@ template <class Raw> Result<std::vector<std::int32_t>> VoxelStore::in_32_bits(co
     return values;
 }
 
+template <class Raw>
+Result<std::vector<std::uint8_t>> VoxelStore::compared(const Raw* raw, std::size_t count, const Scaling& scaling) {
+    std::vector<std::uint8_t> inside(count, 0);
+    for (std::size_t n = 0; n < count; ++n) {
+        const double value = scaled(raw[n], scaling);
+        if (std::isnan(static_cast<double>(raw[n])))
+            ++nan_count_;
+        else if (!std::isfinite(value))
+            return not_finite(used_ + n);
+        else
+            inside[n] = value >= *keeping_.threshold ? 1 : 0;
+    }
+    return inside;
+}
+
 template <class Raw> Result<void> VoxelStore::append(const Raw* raw, std::size_t count, const Scaling& scaling) {
+    if (!keeping_.threshold) return add(raw, count, scaling);
+    RAMUS_TRY(inside, compared(raw, count, scaling));
+    return add(inside.data(), count, {});
+}
+
+template <class Raw> Result<void> VoxelStore::add(const Raw* raw, std::size_t count, const Scaling& scaling) {
     if constexpr (std::is_floating_point_v<Raw>)
         if (std::any_of(raw, raw + count, [](Raw value) { return std::isnan(value); })) {
             const std::vector<double> values = without_nan(raw, count, scaling);
-            return append(values.data(), count, Scaling{});
+            return add(values.data(), count, Scaling{});
         }
     if constexpr (kMayBeLarge<Raw>)
         if (scaling.none()) {
             RAMUS_TRY(values, in_32_bits(raw, count));
-            return append(values.data(), count, Scaling{});
+            return add(values.data(), count, Scaling{});
         }
     const std::size_t kept = put_runs(raw, count, scaling);
     if (auto fits = check_memory(bytes_of_runs().value_or(0.0)); !fits) return fits;
@@ -260,7 +288,7 @@ template <class Raw> Result<void> VoxelStore::append(const Raw* raw, std::size_t
     if (count == 0) return {};
     if (scaling.none()) return put(raw, count);
     std::vector<double> values(count);
-    for (std::size_t n = 0; n < count; ++n) values[n] = scaling.slope * static_cast<double>(raw[n]) + scaling.intercept;
+    for (std::size_t n = 0; n < count; ++n) values[n] = scaled(raw[n], scaling);
     return put(values.data(), count);
 }
 
@@ -305,12 +333,13 @@ void VoxelStore::finish(Volume& volume) && {
         volume.label_names = std::move(large_).names();
     }
     // For few values, even a few runs may take more than an array.
-    if (bytes_of_runs() && !are_runs_worth_it(0.0) && bytes_to_be(smallest_kind()) <= memory_bytes_)
+    if (bytes_of_runs() && !are_runs_worth_it(0.0) && bytes_to_be(smallest_kind()) <= keeping_.memory_bytes)
         move_to(smallest_kind());
     volume.size = size_;
     volume.voxels = std::move(voxels_);
     volume.minimum = least_;
     volume.maximum = most_;
+    volume.threshold = keeping_.threshold;
 }
 
 } // namespace ramus::volume

@@ -3,7 +3,7 @@
 // far. A value that does not fit converts the array to a larger type. The conversion releases the old array step by
 // step, so that the values are in memory once.
 //
-//     VoxelStore store(size, memory_bytes, name);
+//     VoxelStore store(size, {.memory_bytes = memory_left(0.0)}, name);
 //     store.append(values, count, scaling);   // for all values, in order
 //     store.settle_nan();                     // if the file can hold NaN
 //     std::move(store).finish(volume);
@@ -25,11 +25,17 @@ struct Scaling {
     [[nodiscard]] bool none() const { return slope == 1.0 && intercept == 0.0; }
 };
 
+// What a VoxelStore keeps.
+struct Keeping {
+    double memory_bytes = 0.0;            // limit for the values
+    std::optional<double> threshold = {}; // keeps 1 for values of at least this one, 0 for others; none: keeps values
+};
+
 class VoxelStore {
 public:
-    // For a volume of `size` voxels; takes no memory yet. `memory_bytes`: limit for the values. `name`: of the file,
-    // for errors.
-    VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name);
+    // For a volume of `size` voxels; takes no memory yet. `name`: of the file, for errors. With a threshold, a scan
+    // takes the memory of a mask.
+    VoxelStore(const glm::ivec3& size, const Keeping& keeping, std::string name);
 
     // Appends values. NaN counts as outside: it becomes 0, or the least value if that is less. Fails, naming the voxel,
     // on infinite values and on values that cannot be stored.
@@ -47,6 +53,10 @@ private:
     };
     enum class Kind { kUint8, kUint16, kInt16, kInt32, kFloat }; // in the order of Voxels' arrays
 
+    // Whether values are at least the threshold: 1 or 0. NaN is not.
+    template <class Raw>
+    [[nodiscard]] Result<std::vector<std::uint8_t>> compared(const Raw* raw, std::size_t count, const Scaling& scaling);
+    template <class Raw> [[nodiscard]] Result<void> add(const Raw* raw, std::size_t count, const Scaling& scaling);
     template <class Value> [[nodiscard]] Range range_of(const Value* values, std::size_t count) const;
     // Stores values as runs, from the first on, while possible and worthwhile. Returns their number.
     template <class Raw> [[nodiscard]] std::size_t put_runs(const Raw* raw, std::size_t count, const Scaling& scaling);
@@ -66,10 +76,11 @@ private:
     template <class Raw>
     [[nodiscard]] std::vector<double> without_nan(const Raw* raw, std::size_t count, const Scaling& scaling);
     [[nodiscard]] std::string voxel_name(std::size_t at) const;
+    [[nodiscard]] tl::unexpected<Error> not_finite(std::size_t at) const;
 
     glm::ivec3 size_;
     std::size_t total_, used_ = 0;
-    double memory_bytes_;
+    Keeping keeping_;
     std::string name_;
     Voxels voxels_;
     double least_ = 0.0, most_ = 0.0;

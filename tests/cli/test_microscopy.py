@@ -323,6 +323,21 @@ class Masks(Microscopy):
         array[100:400, 500:516, 500:516] = 1
         self.expect_done("skeletonize", "large.zarr", "-o", "t.swc", "--memory", "300M")
 
+    def test_memory_of_a_scan(self):
+        """Of a scan of 256 MB, only what is at least the isovalue takes memory."""
+        shape = (128, 1024, 1024)
+        values = np.random.default_rng(3).integers(100, 1000, shape, np.uint16)
+        values[20:100, 500:516, 500:516] += 1000
+        for name, kept in (("grey.zarr", values), ("mask.zarr", (values >= 1000).astype(np.uint8))):
+            zarr.open(str(self.folder / name), mode="w", shape=shape, chunks=(16, 256, 256), dtype=kept.dtype, compressor=None)[:] = kept
+        self.expect_done("skeletonize", "mask.zarr", "-o", "mask.swc")
+        little = ("--isovalue", "1000", "--memory", "200M")
+        self.expect_done("skeletonize", "grey.zarr", "-o", "grey.swc", *little)
+        self.assertEqual(*([line for line in (self.folder / f"{name}.swc").read_text().splitlines()
+                            if not line.startswith("#")] for name in ("mask", "grey")))
+        self.expect_done("mesh", "grey.zarr", "-o", "grey.ply", *little)
+        self.expect_failure("mesh", "grey.zarr", "--method", "iso", "-o", "iso.ply", *little, says=["grey.zarr", "MB of memory", "--memory"])
+
 
 if __name__ == "__main__":
     if MISSING:

@@ -1,6 +1,5 @@
 #include "core/io/volumes/meta_image_reader.h"
 
-#include "core/base/memory.h"
 #include "core/io/length_unit.h"
 #include "core/io/volumes/header_text.h"
 #include "core/io/volumes/value_files.h"
@@ -233,7 +232,7 @@ Result<volume::Volume> read_meta_image(ByteSource& source, const ReadVolumeOptio
     }
     RAMUS_TRY(scaling, meta_scaling(header));
     const VoxelLayout layout{size, type, meta_encoding(header), scaling};
-    auto volume = read_voxels(from, offset, layout, memory_left(options.memory_bytes), job);
+    auto volume = read_voxels(from, offset, layout, options.keeping(), job);
     if (!volume) return volume;
     volume->to_patient = affine;
     volume->type = "MetaImage, " + std::string(name_of(type));

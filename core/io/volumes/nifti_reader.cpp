@@ -1,6 +1,5 @@
 #include "core/io/volumes/nifti_reader.h"
 
-#include "core/base/memory.h"
 #include "core/io/text_numbers.h"
 #include "core/io/volumes/nifti_extensions.h"
 #include "core/io/volumes/voxel_data.h"
@@ -267,7 +266,7 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     const VoxelLayout layout{size, type, header.swapped ? Encoding::kSwapped : Encoding::kBinary, scaling};
     RAMUS_TRY(extensions, extensions_of(header, source));
     auto volume = read_voxels(source, static_cast<std::uint64_t>(header.offset) - extensions.used, layout,
-                              memory_left(options.memory_bytes), job);
+                              options.keeping(), job);
     if (!volume) return volume;
     if (!extensions.names.empty()) volume->label_names = std::move(extensions.names);
     volume->notes.insert(volume->notes.begin(), extensions.notes.begin(), extensions.notes.end());

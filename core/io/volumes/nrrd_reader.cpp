@@ -1,6 +1,5 @@
 #include "core/io/volumes/nrrd_reader.h"
 
-#include "core/base/memory.h"
 #include "core/io/input_file.h"
 #include "core/io/volumes/header_text.h"
 #include "core/io/volumes/nrrd_space.h"
@@ -157,7 +156,7 @@ Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& op
     std::optional<SegmentLayers> layers;
     if (space.layers > 1) layers.emplace(space.layers, segments, notes);
     const VoxelLayout layout{space.size, type, order, {}, layers ? &*layers : nullptr};
-    auto volume = read_voxels(from, offset, layout, memory_left(options.memory_bytes), job);
+    auto volume = read_voxels(from, offset, layout, options.keeping(), job);
     if (!volume) return volume;
     volume->to_patient = space.to_patient;
     volume->type = "NRRD, " + std::string(name_of(type));

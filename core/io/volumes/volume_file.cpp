@@ -1,5 +1,6 @@
 #include "core/io/volumes/volume_file.h"
 
+#include "core/base/memory.h"
 #include "core/base/printable.h"
 #include "core/io/recognise.h"
 #include "core/io/standard_input.h"
@@ -108,6 +109,8 @@ bool names_volume(const std::filesystem::path& path) {
 }
 
 bool is_volume(const std::filesystem::path& path) { return recognised(path).volume != nullptr; }
+
+volume::Keeping ReadVolumeOptions::keeping() const { return {memory_left(memory_bytes), threshold}; }
 
 Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     try {

@@ -9,6 +9,7 @@
 #include "core/io/volumes/byte_source.h"
 #include "core/io/volumes/volume_part.h"
 #include "core/volume/volume.h"
+#include "core/volume/voxel_store.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,6 +22,11 @@ struct ReadVolumeOptions {
     double memory_bytes = 0.0;           // memory limit of the process; 0: half of the machine's memory
     std::optional<LengthUnit> unit = {}; // overrides the file's unit
     VolumePart part = {};                // of files that hold several volumes
+    // Keeps only which values are at least this one (Volume::threshold), which takes the memory of a mask. None: keeps
+    // values.
+    std::optional<double> threshold = {};
+    // What the reader may take of memory now, and what it keeps.
+    [[nodiscard]] volume::Keeping keeping() const;
 };
 
 struct VolumeFormat : FileFormat {

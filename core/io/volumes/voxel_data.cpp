@@ -207,11 +207,13 @@ Result<void> check_declared_size(const DeclaredVoxels& declared, const std::stri
 }
 
 Result<volume::Volume> read_voxels(ByteSource& source, std::uint64_t offset, const VoxelLayout& layout,
-                                   double memory_bytes, Job& job) {
+                                   const volume::Keeping& keeping, Job& job) {
     const double needed = static_cast<double>(offset) + bytes_in_file(layout);
-    if (auto fits = check_declared_size({layout.size, needed, source.most_bytes(), memory_bytes}, source.name()); !fits)
+    if (auto fits =
+            check_declared_size({layout.size, needed, source.most_bytes(), keeping.memory_bytes}, source.name());
+        !fits)
         return tl::unexpected(fits.error());
-    volume::VoxelStore store(layout.size, memory_bytes, source.name());
+    volume::VoxelStore store(layout.size, keeping, source.name());
     if (auto skipped = source.skip(offset); !skipped) return tl::unexpected(skipped.error());
     const NumberRow& type = row_of(layout.type);
     const std::size_t voxels = volume::voxel_count(layout.size) * layers_of(layout);

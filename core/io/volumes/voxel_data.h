@@ -53,7 +53,7 @@ struct DeclaredVoxels {
 // Skips `offset` bytes and reads the voxels. The result has size, values and range. Fails like check_declared_size(),
 // before memory is allocated, and on invalid or missing numbers.
 [[nodiscard]] Result<volume::Volume> read_voxels(ByteSource& source, std::uint64_t offset, const VoxelLayout& layout,
-                                                 double memory_bytes, Job& job);
+                                                 const volume::Keeping& keeping, Job& job);
 
 // Fails if an affine to mm is not invertible, or puts voxels where no patient can be (10 km away). `form`: the file's
 // name for it, such as "sform"; `remedy`: the hint of the error.

@@ -44,7 +44,7 @@ Outcome read_numbers(std::function<Result<void>(std::size_t, float&)> at_byte, J
     auto source = io::ByteSource::of_stage(std::make_unique<Numbers>(given, std::move(at_byte)), "numbers", 1e12);
     REQUIRE(source);
     io::VoxelLayout layout{.size = {1024, 1024, 25}, .type = io::VoxelType::kFloat32, .scaling = {}}; // 100 MiB
-    auto volume = io::read_voxels(*source, 0, layout, 1e9, job);
+    auto volume = io::read_voxels(*source, 0, layout, {1e9}, job);
     return {std::move(volume), given, job.progress()};
 }
 

@@ -6,8 +6,12 @@
 #include "core/volume/voxel_store.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <doctest/doctest.h>
+#include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,7 +35,7 @@ std::vector<std::uint16_t> values_in_runs(std::size_t count, double mean, int la
 template <class Raw>
 volume::Volume stored(const glm::ivec3& size, const std::vector<Raw>& values, std::size_t at_once,
                       const volume::Scaling& scaling = {}) {
-    volume::VoxelStore store(size, 1e9, "test");
+    volume::VoxelStore store(size, {1e9}, "test");
     for (std::size_t n = 0; n < values.size(); n += at_once)
         REQUIRE(store.append(values.data() + n, std::min(at_once, values.size() - n), scaling));
     volume::Volume volume;
@@ -192,7 +196,7 @@ TEST_CASE("a mask takes less memory than a bit for each of its voxels, and a vol
     const glm::ivec3 size(2048, 2048, 64);
     const double voxels = 2048.0 * 2048 * 64;
     const double before = process_memory();
-    volume::VoxelStore store(size, voxels / 8, "test");
+    volume::VoxelStore store(size, {voxels / 8}, "test");
     std::vector<std::uint8_t> slice(std::size_t{2048} * 2048, 0);
     for (std::size_t n = 0; n < slice.size(); ++n)
         if (n % 2048 > 900 && n % 2048 < 1000) slice[n] = static_cast<std::uint8_t>(1 + n / 2048 % 3);
@@ -201,11 +205,56 @@ TEST_CASE("a mask takes less memory than a bit for each of its voxels, and a vol
     std::move(store).finish(volume);
     CHECK(process_memory() - before - static_cast<double>(slice.size()) < voxels / 8);
 
-    volume::VoxelStore scan(size, voxels / 2, "scan.nii");
+    volume::VoxelStore scan(size, {voxels / 2}, "scan.nii");
     std::mt19937 random(5);
     for (std::uint8_t& value : slice) value = static_cast<std::uint8_t>(random());
     const auto refused = scan.append(slice.data(), slice.size(), {});
     REQUIRE_FALSE(refused);
     CHECK(refused.error().what.find("MB of memory; 134 MB are left to it") != std::string::npos);
     CHECK(refused.error().where == "scan.nii");
+
+    volume::VoxelStore compared(size, {voxels / 8, 256.0}, "scan.nii");
+    for (int k = 0; k < size.z; ++k) REQUIRE(compared.append(slice.data(), slice.size(), {1.0, k == 7 ? 1.0 : 0.0}));
+    volume::Volume mask;
+    std::move(compared).finish(mask);
+    CHECK(volume::count_from(mask, 1.0) == static_cast<std::uint64_t>(std::ranges::count(slice, 255)));
+}
+
+TEST_CASE("of a scan that is read with a threshold, what is at least as much is 1") {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kMost = std::numeric_limits<double>::infinity();
+    const glm::ivec3 size(5, 1, 1);
+    const auto read = [&](const auto& raw, double threshold, const volume::Scaling& scaling) -> Result<volume::Volume> {
+        volume::VoxelStore store(size, {1e9, threshold}, "scan.nii");
+        if (auto kept = store.append(raw.data(), raw.size(), scaling); !kept) return tl::unexpected(kept.error());
+        if (auto settled = store.settle_nan(); !settled) return tl::unexpected(settled.error());
+        volume::Volume volume;
+        std::move(store).finish(volume);
+        return volume;
+    };
+    const auto inside = [&](const auto& raw, double threshold, const volume::Scaling& scaling = {}) {
+        const auto volume = read(raw, threshold, scaling);
+        REQUIRE(volume);
+        CHECK(volume->threshold == threshold);
+        std::string bits;
+        for (int x = 0; x < size.x; ++x) bits += volume::value_at(*volume, {x, 0, 0}) == 1.0 ? '1' : '0';
+        Job job;
+        const auto mask = volume::inside(*volume, {{}, threshold}, JobRange(job, 0.0F, 1.0F));
+        CHECK((mask ? mask->count() : 0) == static_cast<std::uint64_t>(std::ranges::count(bits, '1')));
+        return bits;
+    };
+    CHECK(inside(std::array<std::int16_t, 5>{-1000, 40, 41, 39, 3000}, 40.0) == "01101");
+    CHECK(inside(std::array<std::int16_t, 5>{-1000, 40, 41, 39, 3000}, -1000.0) == "11111");
+    CHECK(inside(std::array<std::int16_t, 5>{-1000, 40, 41, 39, 3000}, 1001.0, {-1.0, 1.0}) == "10000");
+    // Values that would lose digits, or have no place, in what a volume holds.
+    CHECK(inside(std::array<double, 5>{1e300, 0.1, 0.1 + 1e-12, -1e300, 0.0}, 0.1 + 1e-13) == "10100");
+    CHECK(inside(std::array<std::uint64_t, 5>{1ULL << 60, 3, 1ULL << 33, 0, 7}, 7.0) == "10101");
+    // NaN is outside, below and above 0.
+    CHECK(inside(std::array<double, 5>{kNan, -5.0, kNan, 0.0, 2.0}, -5.0) == "01011");
+    const auto notes = read(std::array<double, 5>{kNan, -5.0, kNan, 0.0, 2.0}, 0.0, {})->notes;
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].starts_with("2 voxels are NaN"));
+    CHECK_FALSE(read(std::array<double, 5>{kNan, kNan, kNan, kNan, kNan}, 0.0, {}));
+    const auto refused = read(std::array<double, 5>{0.0, 1.0, kMost, 0.0, 0.0}, 0.5, {});
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().what == "the value of voxel (2, 0, 0) is not finite");
 }

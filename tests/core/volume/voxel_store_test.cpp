@@ -23,7 +23,7 @@ struct Stored {
 // Stores slices of the values that `value(k, n)` gives, and checks some of them.
 Stored stored_values(double memory_bytes, const std::function<float(int k, std::uint32_t n)>& value) {
     const test::PeakMemory peak;
-    volume::VoxelStore store({256, 256, kSlices}, memory_bytes, "scan");
+    volume::VoxelStore store({256, 256, kSlices}, {memory_bytes}, "scan");
     std::vector<float> slice(kSlice);
     for (int k = 0; k < kSlices; ++k) {
         for (std::uint32_t n = 0; n < kSlice; ++n) slice[n] = value(k, n);

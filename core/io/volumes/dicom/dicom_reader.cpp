@@ -76,14 +76,16 @@ std::string common_unit(const std::vector<DicomImage>& images, const DicomStack&
 Result<volume::Volume> read_series(const std::vector<DicomImage>& images, const std::string& name,
                                    const ReadVolumeOptions& options, Job& job) {
     RAMUS_TRY(stack, stack_images(images, name));
-    const double memory = memory_left(options.memory_bytes);
+    const volume::Keeping keeping = options.keeping();
     const DicomImage& first = images[stack.slices[0].image];
     for (const DicomSlice& slice : stack.slices)
         if (slice.frame == 0)
-            if (auto fits = check_pixels(images[slice.image], memory); !fits) return tl::unexpected(fits.error());
+            if (auto fits = check_pixels(images[slice.image], keeping.memory_bytes); !fits)
+                return tl::unexpected(fits.error());
     const glm::ivec3 size(first.columns, first.rows, static_cast<int>(stack.slices.size()));
-    if (auto fits = check_declared_size({size, 0.0, 0.0, memory}, name); !fits) return tl::unexpected(fits.error());
-    volume::VoxelStore store(size, memory, name);
+    if (auto fits = check_declared_size({size, 0.0, 0.0, keeping.memory_bytes}, name); !fits)
+        return tl::unexpected(fits.error());
+    volume::VoxelStore store(size, keeping, name);
     const JobRange range(job, kHeaders, 1.0F);
     if (auto read = PixelLoop(images, stack, range).run(store); !read) return tl::unexpected(read.error());
     volume::Volume volume;

@@ -1,6 +1,5 @@
 #include "core/io/volumes/dicom/dicom_segments.h"
 
-#include "core/base/memory.h"
 #include "core/io/volumes/dicom/dicom_pixels.h"
 #include "core/io/volumes/dicom/dicom_stack.h"
 #include "core/io/volumes/voxel_data.h"
@@ -31,20 +30,19 @@ std::int32_t above_labels(const DicomImage& image) {
 
 class Segments {
 public:
-    Segments(const DicomImage& image, double memory_bytes, const JobRange& job)
-        : image_(image), memory_bytes_(memory_bytes), job_(job), overlaps_(above_labels(image)),
-          labels_(pixels_of_frame()) {}
+    Segments(const DicomImage& image, const volume::Keeping& keeping, const JobRange& job)
+        : image_(image), keeping_(keeping), job_(job), overlaps_(above_labels(image)), labels_(pixels_of_frame()) {}
 
     Result<volume::Volume> run() {
         if (auto placed = place_frames(); !placed) return tl::unexpected(placed.error());
-        if (auto fits = check_pixels(image_, memory_bytes_); !fits) return tl::unexpected(fits.error());
+        if (auto fits = check_pixels(image_, keeping_.memory_bytes); !fits) return tl::unexpected(fits.error());
         const glm::ivec3 size(image_.columns, image_.rows, slices_);
-        if (auto fits = check_declared_size({size, 0.0, 0.0, memory_bytes_}, image_.file.name); !fits)
+        if (auto fits = check_declared_size({size, 0.0, 0.0, keeping_.memory_bytes}, image_.file.name); !fits)
             return tl::unexpected(fits.error());
         auto sound = check_affine(to_patient_, size, "geometry (positions and orientation of its frames)",
                                   "export it again", image_.file.name);
         if (!sound) return tl::unexpected(sound.error());
-        volume::VoxelStore store(size, memory_bytes_, image_.file.name);
+        volume::VoxelStore store(size, keeping_, image_.file.name);
         if (auto read = read_slices(store); !read) return tl::unexpected(read.error());
         volume::Volume volume;
         std::move(store).finish(volume);
@@ -194,7 +192,7 @@ private:
     }
 
     const DicomImage& image_;
-    double memory_bytes_;
+    volume::Keeping keeping_;
     const JobRange& job_;
     std::vector<std::pair<int, std::size_t>> order_; // slice, frame
     int slices_ = 0;
@@ -207,11 +205,11 @@ private:
 } // namespace
 
 Result<volume::Volume> read_segments(const DicomImage& image, const ReadVolumeOptions& options, const JobRange& job) {
-    const double memory = memory_left(options.memory_bytes);
+    const volume::Keeping keeping = options.keeping();
     // One slice of labels is needed in addition to the volume.
-    if (4.0 * image.rows * image.columns > memory)
+    if (4.0 * image.rows * image.columns > keeping.memory_bytes)
         return fail("its slices are larger than the memory that is left", image.file.name, "allow more with --memory");
-    return Segments(image, memory, job).run();
+    return Segments(image, keeping, job).run();
 }
 
 } // namespace ramus::io

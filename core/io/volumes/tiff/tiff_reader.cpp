@@ -130,8 +130,8 @@ Result<volume::Volume> read_planes(std::vector<TiffFile> files, const std::vecto
                                    const TiffDescription& description, const ReadVolumeOptions& options, Job& job) {
     const std::string name =
         files.size() > 1 ? files.front().bytes.path.parent_path().string() + "/" : files.front().bytes.name;
-    const double memory = memory_left(options.memory_bytes);
-    RAMUS_TRY(type, check_pages(files, planes, memory));
+    const volume::Keeping keeping = options.keeping();
+    RAMUS_TRY(type, check_pages(files, planes, keeping.memory_bytes));
     const TiffPage page = files[planes.front().file].layout.pages[planes.front().page];
     VoxelLayout layout;
     layout.size = {static_cast<int>(page.width), static_cast<int>(page.height), static_cast<int>(planes.size())};
@@ -141,12 +141,12 @@ Result<volume::Volume> read_planes(std::vector<TiffFile> files, const std::vecto
     // Before anything of the size that the tags claim is decoded.
     const double bytes = static_cast<double>(bytes_of(type)) * static_cast<double>(layout.size.x) *
                          static_cast<double>(layout.size.y) * static_cast<double>(layout.size.z);
-    if (auto fits = check_declared_size({layout.size, bytes, most, memory}, name); !fits)
+    if (auto fits = check_declared_size({layout.size, bytes, most, keeping.memory_bytes}, name); !fits)
         return tl::unexpected(fits.error());
     const TiffFile first{files.front().bytes,
                          {false, files.front().layout.big, 0, {}, {}, files.front().layout.left_out}};
     RAMUS_TRY(source, ByteSource::of_stage(tiff_stage(std::move(files), planes), name, most));
-    RAMUS_TRY(volume, read_voxels(source, 0, layout, memory, job));
+    RAMUS_TRY(volume, read_voxels(source, 0, layout, keeping, job));
     if (auto placed = place_by(description.claims, volume, name); !placed) return tl::unexpected(placed.error());
     note_tags(first, page, volume);
     volume.type = std::string(first.layout.big ? "BigTIFF" : "TIFF") +

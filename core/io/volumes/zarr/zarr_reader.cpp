@@ -1,6 +1,5 @@
 #include "core/io/volumes/zarr/zarr_reader.h"
 
-#include "core/base/memory.h"
 #include "core/io/volumes/zarr/zarr_chunks.h"
 #include "core/io/volumes/zarr/zarr_image.h"
 
@@ -24,14 +23,15 @@ Result<volume::Volume> read_zarr_folder(const std::filesystem::path& folder, con
     layout.size = size;
     layout.type = image.array.type;
     layout.encoding = image.array.swapped ? Encoding::kSwapped : Encoding::kBinary;
-    const double memory = memory_left(options.memory_bytes);
+    const volume::Keeping keeping = options.keeping();
     const double bytes = static_cast<double>(bytes_of(layout.type)) * static_cast<double>(size.x) *
                          static_cast<double>(size.y) * static_cast<double>(size.z);
     // Missing chunks take no bytes, so the files do not bound the number of voxels; memory does.
-    if (auto fits = check_declared_size({size, bytes, bytes, memory}, name); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_declared_size({size, bytes, bytes, keeping.memory_bytes}, name); !fits)
+        return tl::unexpected(fits.error());
     RAMUS_TRY(stage, zarr_stage(image, part, options.memory_bytes, job));
     RAMUS_TRY(source, ByteSource::of_stage(std::move(stage), name, bytes));
-    RAMUS_TRY(volume, read_voxels(source, 0, layout, memory, job));
+    RAMUS_TRY(volume, read_voxels(source, 0, layout, keeping, job));
     if (auto placed = place_by(image.claims, volume, name); !placed) return tl::unexpected(placed.error());
     volume.type =
         image.program + ", " + std::string(name_of(layout.type)) + (part.words.empty() ? "" : ", " + part.words);
