@@ -1,7 +1,6 @@
 #include "core/base/disk_pages.h"
 
 #include "core/base/descriptor.h"
-#include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/words.h"
 
@@ -11,7 +10,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <stdexcept>
 #include <string>
 #include <sys/mman.h>
 #include <utility>
@@ -31,14 +29,16 @@ constexpr double kShare = 0.25; // of the room that other memory leaves
 constexpr double kMuch = 0.7;
 constexpr std::chrono::seconds kBetweenReturns(2);
 
-fs::path folder_on_disk_of(const fs::path& target) {
+// Whether files cannot lie beside this one.
+bool is_no_file_on_disk(const fs::path& target) {
     std::error_code code;
     const fs::file_status status = fs::status(target, code);
-    if (!code && fs::exists(status) && !fs::is_regular_file(status)) {
-        const char* folder = std::getenv("TMPDIR");
-        return folder != nullptr && *folder != 0 ? folder : "/var/tmp";
-    }
-    return fs::absolute(target).lexically_normal().parent_path();
+    return target.empty() || (!code && fs::exists(status) && !fs::is_regular_file(status));
+}
+
+fs::path temporary_folder() {
+    const char* folder = std::getenv("TMPDIR");
+    return folder != nullptr && *folder != 0 ? folder : "/var/tmp";
 }
 
 std::string gigabytes(double bytes) { return in_digits(bytes / 1e9, 3) + " GB"; }
@@ -46,7 +46,9 @@ std::string gigabytes(double bytes) { return in_digits(bytes / 1e9, 3) + " GB"; 
 } // namespace
 
 DiskPages::DiskPages(fs::path target, double most_bytes)
-    : target_(std::move(target)), folder_(folder_on_disk_of(target_)), most_bytes_(most_bytes) {}
+    : target_(std::move(target)), elsewhere_(is_no_file_on_disk(target_)),
+      folder_(elsewhere_ ? temporary_folder() : fs::absolute(target_).lexically_normal().parent_path()),
+      most_bytes_(most_bytes) {}
 
 void* DiskPages::allocate(std::size_t bytes) {
     Descriptor file(open_without_name(folder_));
@@ -108,23 +110,24 @@ void DiskPages::refuse(std::size_t bytes, int code) const {
     const std::lock_guard lock(mutex_);
     double there = 0.0;
     for (const auto& [memory, size] : mapped_) there += static_cast<double>(size);
-    Error error{"making it needs " + gigabytes(there + static_cast<double>(bytes)) + " or more on the disk of " +
+    Error error{"this needs " + gigabytes(there + static_cast<double>(bytes)) + " or more on the disk of " +
                     folder_.string(),
                 target_.string(), ""};
+    const std::string another_disk = elsewhere_ ? "set TMPDIR to a folder on another disk" : "write to another disk";
     if (code == ENOSPC || code == EDQUOT) {
         std::error_code unknown;
         const fs::space_info space = fs::space(folder_, unknown);
         if (!unknown)
             error.what += ", which has " + gigabytes(there + static_cast<double>(space.available)) + " for it";
-        error.hint = "nothing was written; free some space, write to another disk, or raise --memory";
+        error.hint = "nothing was written; free some space, " + another_disk + ", or raise --memory";
     } else if (code == EFBIG) {
         error.what += ", in files larger than this system allows";
         error.hint = "nothing was written; raise the limit (ulimit -f) or --memory";
     } else {
         error.what += std::string(": ") + std::strerror(code);
-        error.hint = "nothing was written; write to another disk, or raise --memory";
+        error.hint = "nothing was written; " + another_disk + ", or raise --memory";
     }
-    throw std::runtime_error(error.message());
+    throw DiskRefusal(std::move(error));
 }
 
 } // namespace ramus

@@ -13,25 +13,33 @@
 //     LargeArray<float> radii(1'000'000'000, LargeAllocator<float>(pages)); // core/base/large_array.h
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/large_array.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace ramus {
 
+// The disk has no room, or files cannot be made on it. run_limited() turns it into its error.
+struct DiskRefusal : std::runtime_error {
+    explicit DiskRefusal(Error why) : std::runtime_error(why.message()), error(std::move(why)) {}
+    Error error;
+};
+
 class DiskPages final : public ArrayMemory {
 public:
-    // The files lie in the folder of `target`, the file that will be written. If `target` exists and is no regular
-    // file, they lie in $TMPDIR, or /var/tmp. `most_bytes`: limit of the resident memory of the whole process. The
-    // first allocation creates the first file.
+    // The files lie in the folder of `target`, the file that will be written. If `target` is empty, or exists and is no
+    // regular file, they lie in $TMPDIR, or /var/tmp. `most_bytes`: limit of the resident memory of the whole process.
+    // The first allocation creates the first file.
     DiskPages(std::filesystem::path target, double most_bytes);
 
-    // All bytes are 0. Throws std::runtime_error with an Error's message if the disk is full or a file cannot be
-    // created.
+    // All bytes are 0. Throws DiskRefusal.
     [[nodiscard]] void* allocate(std::size_t bytes) override;
     void deallocate(void* memory) noexcept override;
     // Drops all mapped pages from resident memory, and lets the system read ahead in the present arrays. To be called
@@ -43,7 +51,9 @@ private:
     void watch(const std::stop_token& stop) const;
     [[noreturn]] void refuse(std::size_t bytes, int code) const;
 
-    std::filesystem::path target_, folder_;
+    std::filesystem::path target_;
+    bool elsewhere_; // not in the folder of the target
+    std::filesystem::path folder_;
     double most_bytes_;
     mutable std::mutex mutex_;
     std::map<void*, std::size_t> mapped_; // bytes, by address

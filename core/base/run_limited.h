@@ -1,6 +1,7 @@
-// Runs work in a limited number of threads, and turns the end of memory into an error.
+// Runs work in a limited number of threads, and turns the end of memory, and of the disk, into an error.
 #pragma once
 
+#include "core/base/disk_pages.h"
 #include "core/base/thread_priority.h"
 
 #include <new>
@@ -10,7 +11,8 @@
 namespace ramus {
 
 // Returns the result of `work`, a Result. Parallel work of TBB inside it uses at most `threads` threads (0: all cores).
-// Where `work` throws std::bad_alloc, returns the error that `at_memory_end` makes; other exceptions pass through.
+// Where `work` throws std::bad_alloc, returns the error that `at_memory_end` makes, and that of a DiskRefusal; other
+// exceptions pass through.
 template <class AtMemoryEnd, class Work>
 auto run_limited(int threads, const AtMemoryEnd& at_memory_end, const Work& work) -> decltype(work()) {
     try {
@@ -20,6 +22,8 @@ auto run_limited(int threads, const AtMemoryEnd& at_memory_end, const Work& work
         return arena.execute(work);
     } catch (const std::bad_alloc&) {
         return tl::unexpected(at_memory_end());
+    } catch (const DiskRefusal& refusal) {
+        return tl::unexpected(refusal.error);
     }
 }
 

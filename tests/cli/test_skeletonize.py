@@ -188,6 +188,23 @@ class Skeletonize(CommandLineTest):
         self.assertLess(usage.ru_maxrss * 1024, (150 << 20) + SANITIZER_MEMORY)
         self.expect_failure("skeletonize", "large.nii", "-o", "tree.json", "--memory", "10M", says=("--memory",))
 
+    def test_a_mask_with_many_voxels_inside_is_thinned_on_the_disk(self):
+        """Two million voxels in 256 tubes, which take 100 MB while they are thinned."""
+        inside = [(j % 16 - 8) ** 2 + (k % 16 - 8) ** 2 <= 16 for k in range(256) for j in range(256)]
+        self.write("tubes.nii", nifti((160, 256, 256), None) + b"".join(bytes((within,)) * 160 for within in inside))
+        self.expect_done("skeletonize", "tubes.nii", "-o", "memory.json")
+        most = (110 << 20) + SANITIZER_MEMORY
+        with subprocess.Popen([RAMUS, "skeletonize", "tubes.nii", "-o", "disk.json", "--memory", f"{most >> 20}M"], cwd=self.folder,
+                              stdout=subprocess.DEVNULL) as process:
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        self.assertLess(usage.ru_maxrss * 1024, most)
+        self.assertEqual((self.folder / "disk.json").read_bytes(), (self.folder / "memory.json").read_bytes())
+        self.assertEqual(self.json("info", "disk.json", "--json")["branches"], 256)
+        self.expect_failure("skeletonize", "tubes.nii", "-o", "t.json", "--memory", f"{most >> 20}M", largest_file=1 << 20,
+                            says=("tubes.nii: this needs", "on the disk of", "ulimit -f"))
+
     def test_errors_are_reported(self):
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--label", "7", says=("no voxel has label 7",))
         self.expect_failure("skeletonize", "mask.nii", "-o", "t.xyz", says=("t.xyz",))

@@ -55,8 +55,8 @@ void spread_along(const SparseMask& skeleton, const VoxelSet& set, LargeArray<st
 } // namespace
 
 BranchVoxels::BranchVoxels(const VoxelSet& set, const Thinned& thinned, const VoxelGraph& graph)
-    : firsts_(graph.lines.size() + 1, 0) {
-    LargeArray<std::uint32_t> place_of(set.count(), kNone);
+    : members_(set.memory()), firsts_(graph.lines.size() + 1, 0) {
+    LargeArray<std::uint32_t> place_of(set.count(), kNone, set.memory());
     const std::vector<Place> places = places_of(graph, place_of);
     spread_along(thinned.skeleton, set, place_of);
     std::vector<std::uint32_t> way;

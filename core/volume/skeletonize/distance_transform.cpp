@@ -66,8 +66,7 @@ void sweep_all(const VoxelSet& set, LargeArray<float>& squared, int axis) {
 } // namespace
 
 LargeArray<float> distances_to_outside(const VoxelSet& set) {
-    LargeArray<float> squared;
-    squared.resize(set.count());
+    LargeArray<float> squared(set.count(), set.memory());
     const SparseMask& bits = set.bits();
     const auto step = static_cast<float>(set.spacing().x);
     tbb::enumerable_thread_specific<Line> lines;

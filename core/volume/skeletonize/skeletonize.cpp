@@ -1,5 +1,6 @@
 #include "core/volume/skeletonize/skeletonize.h"
 
+#include "core/base/disk_pages.h"
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/tree/build_tree.h"
@@ -17,10 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <memory>
 #include <oneapi/tbb/task_group.h>
 #include <utility>
 
@@ -51,16 +54,23 @@ std::array<std::uint8_t, 3> colour_of_system(std::size_t system) {
 
 // Peak memory of the arrays by voxel, of those by stored word of bits, and of those by row of the volume.
 constexpr double kBytesPerVoxel = 48.0, kBytesPerWord = 8.0 * 4 + 4.0, kBytesPerRow = 24.0;
+// Of what is left, for the other arrays where those by voxel are on the disk, whose pages need some memory too.
+constexpr double kShareBesideDisk = 0.5;
 
-Result<void> check_memory(const SparseMask& mask, std::uint64_t voxels, const SkeletonizeOptions& options) {
-    const double rows = static_cast<double>(mask.size().y) * mask.size().z;
-    const double bytes = kBytesPerVoxel * static_cast<double>(voxels) +
-                         kBytesPerWord * static_cast<double>(mask.places()) + kBytesPerRow * rows;
+// The memory for the arrays by voxel: that of the process, or the disk where they take more than is left. Fails if the
+// other arrays take more.
+Result<LargeAllocator<std::byte>> memory_for(const SparseMask& mask, std::uint64_t voxels,
+                                             const SkeletonizeOptions& options) {
+    const double by_voxel = kBytesPerVoxel * static_cast<double>(voxels);
+    const double others = kBytesPerWord * static_cast<double>(mask.places()) +
+                          kBytesPerRow * static_cast<double>(mask.size().y) * mask.size().z;
     const double left = memory_left(options.memory_bytes);
-    if (bytes > left)
-        return fail(takes_too_much("the skeleton of " + std::to_string(voxels) + " voxels", bytes, left), {},
-                    "crop the volume, or raise --memory");
-    return {};
+    if (by_voxel + others <= left) return LargeAllocator<std::byte>();
+    if (others > kShareBesideDisk * left)
+        return fail(
+            takes_too_much("the skeleton of " + std::to_string(voxels) + " voxels", others / kShareBesideDisk, left),
+            {}, "crop the volume, or raise --memory");
+    return LargeAllocator<std::byte>(std::make_shared<DiskPages>("", memory_limit(options.memory_bytes)));
 }
 
 // Memory of a piece or a loop in the tree, with its notes. Measured on masks of noise.
@@ -77,6 +87,19 @@ Result<void> check_memory(const Topology& topology, const SkeletonizeOptions& op
     return {};
 }
 
+// Memory of a voxel of the skeleton in the graph, the centerlines and the tree. Measured on lines of single voxels.
+constexpr double kBytesPerLineVoxel = 200.0;
+
+Result<void> check_memory(const SparseMask& skeleton, const SkeletonizeOptions& options) {
+    const std::uint64_t voxels = skeleton.count();
+    const double bytes = kBytesPerLineVoxel * static_cast<double>(voxels);
+    const double left = memory_left(options.memory_bytes);
+    if (bytes > left)
+        return fail(takes_too_much("a tree with centerlines of " + std::to_string(voxels) + " voxels", bytes, left), {},
+                    "crop the volume, or raise --memory");
+    return {};
+}
+
 glm::dvec3 in_patient(const glm::dvec3& along_axes, const glm::dmat4& to_patient) {
     return glm::dvec3(to_patient * glm::dvec4(along_axes / spacing_mm(to_patient), 1.0));
 }
@@ -88,11 +111,12 @@ void break_cycles_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vecto
 }
 
 // The points and edges of one mask, in mm, RAS. Empty: cancelled.
-tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
-                          std::vector<Note>& notes, const JobRange& job) {
+Result<tree::Graph> graph_of_mask(SparseMask mask, const LargeAllocator<std::byte>& memory,
+                                  const glm::dmat4& to_patient, const SkeletonizeOptions& options,
+                                  std::vector<Note>& notes, const JobRange& job) {
     const glm::dvec3 spacing = spacing_mm(to_patient);
     const glm::ivec3 size = mask.size();
-    const VoxelSet set(mask, spacing);
+    const VoxelSet set(mask, spacing, memory);
     mask = SparseMask(glm::ivec3(0)); // the set has its own
     job.report(0.1F);
     // find_tips() uses mostly one thread; the others compute the distances meanwhile.
@@ -105,9 +129,10 @@ tree::Graph graph_of_mask(SparseMask mask, const glm::dmat4& to_patient, const S
     };
     const std::vector<VoxelSet::Address> tips = find_tips(set, measured, options.bulge_size, job.part(0.1F, 0.5F));
     (void)measured();
-    if (job.cancelled()) return {};
+    if (job.cancelled()) return tree::Graph();
     const Thinned thinned = thin(set, distances, tips, job.part(0.5F, 0.85F));
-    if (job.cancelled()) return {};
+    if (job.cancelled()) return tree::Graph();
+    if (auto fits = check_memory(thinned.skeleton, options); !fits) return tl::unexpected(fits.error());
     VoxelGraph graph = graph_of(thinned.skeleton, set, distances);
     if (options.fill_holes) break_cycles_of(graph, to_patient, notes);
     prune_bulges(graph, options.bulge_size, spacing);
@@ -151,7 +176,7 @@ struct Masks {
 
 Result<void> add_mask(Masks& masks, SparseMask mask, int system, const glm::dmat4& to_patient,
                       const SkeletonizeOptions& options, const JobRange& job) {
-    if (auto fits = check_memory(mask, mask.count(), options); !fits) return fits;
+    RAMUS_TRY(memory, memory_for(mask, mask.count(), options));
     SkeletonizeFigures& figures = masks.figures;
     if (options.islands_mm > 0.0)
         figures.islands_dropped += drop_islands(mask, spacing_mm(to_patient), options.islands_mm);
@@ -162,7 +187,8 @@ Result<void> add_mask(Masks& masks, SparseMask mask, int system, const glm::dmat
     figures.voxels += mask.count();
     if (topology.pieces == 0)
         return fail("no piece is longer than " + std::to_string(options.islands_mm) + " mm", {}, "lower --islands");
-    append(masks.graph, graph_of_mask(std::move(mask), to_patient, options, masks.notes, job), system);
+    RAMUS_TRY(graph, graph_of_mask(std::move(mask), memory, to_patient, options, masks.notes, job));
+    append(masks.graph, graph, system);
     return job.cancelled() ? fail("cancelled") : Result<void>();
 }
 

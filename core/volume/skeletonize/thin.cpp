@@ -12,12 +12,13 @@ namespace ramus::volume {
 namespace {
 
 using Address = VoxelSet::Address;
+using Addresses = LargeArray<Address>;
 
 class Thinner {
 public:
     Thinner(const VoxelSet& set, const LargeArray<float>& distances)
-        : set_(set), distances_(distances), left_(set.bits()), flags_(set.count(), 0),
-          uphill_(set.count(), static_cast<std::uint8_t>(kCentreBit)) {
+        : set_(set), distances_(distances), left_(set.bits()), flags_(set.count(), 0, set.memory()),
+          uphill_(set.count(), static_cast<std::uint8_t>(kCentreBit), set.memory()) {
         for (int bit = 0; bit < 27; ++bit) {
             steps_[static_cast<std::size_t>(bit)] = set.step(bit);
             per_step_[static_cast<std::size_t>(bit)] = static_cast<float>(1.0 / std::max(set.step_mm(bit), 1e-9));
@@ -32,7 +33,7 @@ public:
         for (level_ = 0; level_ < queue_.size() && !job.cancelled(); ++level_) {
             // visit() may add voxels to this level.
             for (std::size_t n = 0; n < queue_[level_].size(); ++n) visit(queue_[level_][n]);
-            std::vector<Address>().swap(queue_[level_]);
+            queue_[level_] = Addresses(set_.memory());
             job.report(static_cast<float>(level_) / static_cast<float>(queue_.size()));
         }
         return {std::move(left_), std::move(uphill_)};
@@ -47,7 +48,7 @@ private:
         if (flags_[number] != 0) return;
         flags_[number] = kQueued;
         const std::size_t level = std::max(level_, static_cast<std::size_t>(distances_[number] * per_mm_));
-        if (level >= queue_.size()) queue_.resize(level + 1);
+        if (level >= queue_.size()) queue_.resize(level + 1, Addresses(set_.memory()));
         queue_[level].push_back(at);
     }
 
@@ -86,7 +87,7 @@ private:
     const LargeArray<float>& distances_;
     SparseMask left_;
     LargeArray<std::uint8_t> flags_, uphill_; // by number of the voxel
-    std::vector<std::vector<Address>> queue_;
+    std::vector<Addresses> queue_;
     std::size_t level_ = 0;
     float per_mm_ = 1.0F;
     std::array<std::int64_t, 27> steps_{};

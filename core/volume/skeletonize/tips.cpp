@@ -21,7 +21,7 @@ class Ways {
 public:
     // `open`: initially the set; spread() removes the pieces that it reaches.
     Ways(const VoxelSet& set, SparseMask& open, const JobRange& job)
-        : set_(set), open_(open), job_(job), lengths_(set.count(), kFar) {
+        : set_(set), open_(open), job_(job), lengths_(set.count(), kFar, set.memory()) {
         for (int bit = 0; bit < 27; ++bit) {
             if (bit == kCentreBit) continue;
             lengths_mm_[static_cast<std::size_t>(bit)] = static_cast<float>(set.step_mm(bit));
@@ -34,7 +34,7 @@ public:
     // Dijkstra's algorithm with Dial's buckets, through the whole piece of `start`. `reached` gets all voxels of the
     // piece in ascending order of distance, then of address. Buckets have the width of the shortest step, so within a
     // bucket no voxel can shorten the path of another.
-    void spread(Address start, std::vector<Address>& reached) {
+    void spread(Address start, LargeArray<Address>& reached) {
         reached.clear();
         buckets_.assign(1, {start});
         lengths_[set_.number(start)] = 0.0F;
@@ -99,11 +99,11 @@ public:
             double bulge_size)
         : set_(set), distances_(distances), lengths_(lengths), bulge_size_(static_cast<float>(bulge_size)),
           voxel_(static_cast<float>(std::max({set.spacing().x, set.spacing().y, set.spacing().z}))),
-          summit_of_(set.count()) {}
+          summit_of_(set.count(), set.memory()) {}
 
     // `order`: the voxels of a piece, the nearest to its start first. `done`: a mask that must not have them; find()
     // adds them.
-    void find(const std::vector<Address>& order, SparseMask& done, std::vector<Address>& tips) {
+    void find(const LargeArray<Address>& order, SparseMask& done, std::vector<Address>& tips) {
         summits_.clear(), joined_.clear();
         for (auto next = order.rbegin(); next != order.rend(); ++next) {
             const Address at = *next;
@@ -216,7 +216,8 @@ Address middle_of_end(Address tip, const VoxelSet& set, const LargeArray<float>&
 
 std::vector<Address> find_tips(const VoxelSet& set, const std::function<const LargeArray<float>&()>& distances,
                                double bulge_size, const JobRange& job) {
-    std::vector<Address> tips, reached;
+    std::vector<Address> tips;
+    LargeArray<Address> reached(set.memory());
     SparseMask ahead = set.bits();
     Ways ways(set, ahead, job);
     std::optional<Summits> summits;

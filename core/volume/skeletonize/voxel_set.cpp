@@ -33,7 +33,8 @@ glm::ivec3 bordered(const Box& box) { return glm::max(box.most - box.least + 1, 
 
 } // namespace
 
-VoxelSet::VoxelSet(const SparseMask& mask, const glm::dvec3& spacing) : spacing_(spacing), bits_(glm::ivec3(0)) {
+VoxelSet::VoxelSet(const SparseMask& mask, const glm::dvec3& spacing, LargeAllocator<std::byte> memory)
+    : spacing_(spacing), bits_(glm::ivec3(0)), memory_(std::move(memory)) {
     const Box box = box_of(mask);
     const glm::ivec3 size = bordered(box);
     origin_ = box.least - glm::ivec3(0, 1, 1);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
@@ -24,12 +25,14 @@ class VoxelSet {
 public:
     using Address = std::uint64_t; // index of a bit in the box
 
-    // The box is cropped to the set voxels. `spacing`: of the mask's voxels along its axes, mm.
-    VoxelSet(const SparseMask& mask, const glm::dvec3& spacing);
+    // The box is cropped to the set voxels. `spacing`: of the mask's voxels along its axes, mm. `memory`: for arrays by
+    // number of the voxel.
+    VoxelSet(const SparseMask& mask, const glm::dvec3& spacing, LargeAllocator<std::byte> memory = {});
 
     [[nodiscard]] std::uint32_t count() const { return count_; }
     [[nodiscard]] const glm::dvec3& spacing() const { return spacing_; }
     [[nodiscard]] const SparseMask& bits() const { return bits_; }
+    [[nodiscard]] const LargeAllocator<std::byte>& memory() const { return memory_; }
 
     [[nodiscard]] Address address(const glm::ivec3& inner) const {
         return row_bits() * (static_cast<Address>(inner.y) +
@@ -81,6 +84,7 @@ private:
     glm::ivec3 origin_{0};
     glm::dvec3 spacing_;
     SparseMask bits_;
+    LargeAllocator<std::byte> memory_;
     LargeArray<std::uint32_t> ranks_; // number of voxels before each stored word
     std::uint32_t count_ = 0;
 };

@@ -111,7 +111,7 @@ TEST_CASE("a disk that is too small for an array is an error that names it") {
     } catch (const std::runtime_error& error) {
         what = error.what();
     }
-    CHECK(what.starts_with(target + ": making it needs 4.5e+06 GB or more on the disk of " + folder.path().string()));
+    CHECK(what.starts_with(target + ": this needs 4.5e+06 GB or more on the disk of " + folder.path().string()));
     CHECK(what.find("nothing was written") != std::string::npos);
     CHECK(folder.names().empty());
 }
