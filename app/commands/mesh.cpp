@@ -76,12 +76,15 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
     if (auto known = io::check_axes(target.names.axes, target.names.claims, file); !known)
         return tl::unexpected(known.error());
     load_s = watch.lap();
-    const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
+    const volume::IsosurfaceOptions options{.memory_bytes = static_cast<double>(flags.surface.memory_bytes),
+                                            .threads = flags.surface.threads,
+                                            .target = target.file};
     const auto make = [&](Job& job) {
         return with_file(volume::isosurface(std::move(read), mask.selection, options, job), file);
     };
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
+    written.streamed = surface.memory().memory() != nullptr;
     written.mesh_s = watch.lap();
     if (auto saved = write_surface(std::move(surface), target, written); !saved) return tl::unexpected(saved.error());
     return written;
@@ -173,8 +176,7 @@ void warn_of_intersections(const MeshFlags& flags, const WrittenSurface& written
 
 // The repairs of the surface. A repair that was not looked for is null.
 nlohmann::ordered_json repairs_json(const WrittenSurface& written) {
-    nlohmann::ordered_json repairs = {
-        {"streamed", written.streamed}, {"cut_loops", nullptr}, {"opened_loops", nullptr}, {"intersections", nullptr}};
+    nlohmann::ordered_json repairs = {{"cut_loops", nullptr}, {"opened_loops", nullptr}, {"intersections", nullptr}};
     if (written.matched) {
         repairs["cut_loops"] = written.matched->false_loops.cut;
         repairs["opened_loops"] = written.matched->lost_loops.opened;
@@ -195,6 +197,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const io::Mes
             figures["loops"] = written.shape.loops;
             figures["tree"] = {{"components", written.tree_shape->pieces}, {"loops", written.tree_shape->loops}};
         }
+        figures["streamed"] = written.streamed;
         if (!flags.mask.iso) {
             figures.update(repairs_json(written));
             figures["evaluations"] = written.evaluations;

@@ -1,12 +1,15 @@
 #include "core/volume/isosurface.h"
 
+#include "core/base/disk_pages.h"
 #include "core/base/memory.h"
 #include "core/base/run_limited.h"
 #include "core/volume/slab_mesher.h"
 #include "core/volume/smooth_level.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace ramus::volume {
@@ -85,8 +88,13 @@ Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patien
     const double bytes = 2.0 * sizeof(glm::vec3) * static_cast<double>(mesher.vertices()) +
                          sizeof(glm::uvec3) * static_cast<double>(mesher.triangles());
     const double left = memory_left(options.memory_bytes);
-    if (bytes > left) return fail(takes_too_much("the surface", bytes, left), {}, "crop the volume, or raise --memory");
-    return mesher.make();
+    if (bytes <= left) return mesher.make({});
+    if (options.target.empty())
+        return fail(takes_too_much("the surface", bytes, left), {}, "crop the volume, or raise --memory");
+    const auto pages = std::make_shared<DiskPages>(options.target, memory_limit(options.memory_bytes));
+    auto mesh = mesher.make(LargeAllocator<std::byte>(pages));
+    pages->release_resident();
+    return mesh;
 }
 
 Result<mesh::TriangleMesh> of_labels(const BitMask& mask, const glm::dmat4& to_patient,

@@ -17,6 +17,7 @@
 #include "core/volume/volume.h"
 
 #include <cstdint>
+#include <filesystem>
 
 namespace ramus::volume {
 
@@ -30,6 +31,9 @@ struct IsosurfaceOptions {
     double memory_bytes = 0.0; // memory limit of the process; 0: half of the machine's memory
     int threads = 0;           // 0: all cores
     VoxelSteps steps = VoxelSteps::kKept;
+    // The file that will be written: a mesh that takes more memory than is left is on its disk
+    // (core/base/disk_pages.h). Empty: such a mesh is refused.
+    std::filesystem::path target = {};
 };
 
 // Returns positions in mm, RAS, and outward unit normals: the area-weighted mean of the triangles around a vertex. The
@@ -38,8 +42,8 @@ struct IsosurfaceOptions {
 // vanishes), for labels midway, and at the border of the volume half a voxel outside. Smoothed steps move a vertex
 // along its line by less than half a voxel, and keep the triangles.
 //
-// Fails like inside() (bit_mask.h), if the mesh exceeds the memory limit or 32-bit indices, if single precision cannot
-// distinguish its vertices, and when `job` is cancelled (what == "cancelled").
+// Fails like inside() (bit_mask.h), if the mesh exceeds the memory limit, the disk or 32-bit indices, if single
+// precision cannot distinguish its vertices, and when `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<mesh::TriangleMesh> isosurface(const Volume& volume, const Selection& selection,
                                                     const IsosurfaceOptions& options, Job& job);
 

@@ -5,7 +5,7 @@
 //
 //     SlabMesher mesher(mask, to_patient, crossing, job);
 //     mesher.count();              // then check vertices() and memory
-//     auto mesh = mesher.make();
+//     auto mesh = mesher.make(memory); // of the mesh
 #pragma once
 
 #include "core/base/error.h"
@@ -58,8 +58,9 @@ public:
     [[nodiscard]] std::uint64_t triangles() const { return slabs_.back().first_triangle + slabs_.back().triangles; }
 
     // To be called after count(). vertices() must fit into 32 bits. Fails only when cancelled.
-    [[nodiscard]] Result<mesh::TriangleMesh> make() {
+    [[nodiscard]] Result<mesh::TriangleMesh> make(const LargeAllocator<std::byte>& memory) {
         if (job_.cancelled()) return fail("cancelled");
+        mesh_ = mesh::TriangleMesh(memory);
         mesh_.positions.resize(vertices());
         mesh_.normals.resize(vertices());
         mesh_.triangles.resize(triangles());

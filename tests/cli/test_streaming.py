@@ -6,6 +6,7 @@ import os
 import subprocess
 import unittest
 
+from nifti import nifti
 from ramus import RAMUS, SANITIZER_MEMORY, TUBE, CommandLineTest
 
 
@@ -39,6 +40,24 @@ class Streaming(CommandLineTest):
         # Less than the mesh alone: 32 bytes a vertex, 12 a triangle.
         self.assertLess(usage.ru_maxrss * 1024 - SANITIZER_MEMORY, 28 * whole["triangles"])
         self.assertTrue(filecmp.cmp(self.folder / "streamed.ply", self.folder / "whole.ply", shallow=False))
+
+    def test_surfaces_of_masks(self):
+        """Half a million voxels that touch no other: 120 MB as a mesh."""
+        rows = [(b"\0\1" * 80 if j % 2 and k % 2 else bytes(160)) for k in range(160) for j in range(160)]
+        self.write("mask.nii", nifti((160, 160, 160), []) + b"".join(rows))
+        command = ["mesh", "mask.nii", "--method", "iso", "--json", "-o"]
+        whole = json.loads(self.expect_done(*command, "whole.ply").stdout)
+        self.assertEqual((whole["triangles"], whole["components"], whole["streamed"]), (8 * 80**3, 80**3, False))
+        most = (120 << 20) + SANITIZER_MEMORY
+        with subprocess.Popen([RAMUS, *command, "streamed.ply", "--memory", f"{most >> 20}M"], cwd=self.folder,
+                              stdout=subprocess.PIPE, text=True) as process:
+            report = json.loads(process.stdout.read())
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual((process.returncode, report["streamed"]), (0, True))
+        self.assertLess(usage.ru_maxrss * 1024, most)
+        self.assertTrue(filecmp.cmp(self.folder / "streamed.ply", self.folder / "whole.ply", shallow=False))
+        self.expect_failure(*command, "out.ply", "--memory", f"{most >> 20}M", largest_file=10 << 20, says=["out.ply", "ulimit -f"])
 
     def test_printing_and_formats_of_the_whole_mesh(self):
         for output, more in (("solid.stl", ["--for-printing", "--units", "mm"]), ("surface.vtp", [])):

@@ -8,7 +8,8 @@
 //
 // Not guaranteed: that every branch is a vessel. Holes in the mask of a vessel become loops.
 //
-// Arrays by voxel that take more than `memory_bytes` leave are on the disk ($TMPDIR, or /var/tmp); the tree is the same.
+// Arrays by voxel that take more than `memory_bytes` leave are on the disk ($TMPDIR, or /var/tmp); the tree is the
+// same.
 //
 // The steps: distances to the outside (distance_transform.h), tips (tips.h), thinning (thin.h), graph (voxel_graph.h),
 // pruning (prune.h), centerlines (centerline.h), ends at the border (cut_ends.h). Each header names its source.
