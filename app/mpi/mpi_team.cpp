@@ -19,23 +19,20 @@ template <class Call> void in_messages(std::size_t size, const Call& call) {
         call(first, static_cast<int>(std::min(kMostInMessage, size - first)));
 }
 
-// Waits asleep for the other process of a message without content. Functions of MPI that wait keep a core busy, which
-// processes that still compute may need; so two of them meet before they transfer anything.
-void wait_for(MPI_Request request) {
-    constexpr int kBusy = 1000; // tests before it sleeps: the other one may come within a fraction of a millisecond
+// Functions of MPI that wait keep a core busy, which processes that still compute may need. So processes meet by
+// messages without content, for which they wait asleep, before they transfer anything.
+constexpr int kMeet = 1; // tag of these; messages with content have 0
+
+void call_to(int rank) { MPI_Send(nullptr, 0, MPI_BYTE, rank, kMeet, MPI_COMM_WORLD); }
+
+void wait_for_call(int rank) {
+    constexpr int kBusy = 1000; // looks before it sleeps: the call may come within a fraction of a millisecond
     constexpr std::chrono::microseconds kAsleep(500);
-    int done = 0;
-    for (int tests = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0; ++tests)
-        if (tests >= kBusy) std::this_thread::sleep_for(kAsleep);
+    int there = 0;
+    for (int looks = 0; MPI_Iprobe(rank, kMeet, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE), there == 0; ++looks)
+        if (looks >= kBusy) std::this_thread::sleep_for(kAsleep);
+    MPI_Recv(nullptr, 0, MPI_BYTE, rank, kMeet, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
-
-void wait_for_all() {
-    MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Ibarrier(MPI_COMM_WORLD, &request);
-    wait_for(request);
-}
-
-constexpr int kMeet = 1; // tag of messages without content; those with content have 0
 
 } // namespace
 
@@ -49,11 +46,22 @@ MpiTeam::MpiTeam(int& argc, char**& argv) {
     rank_ = static_cast<std::size_t>(rank);
 }
 
+// The leader waits for all, then all go on.
+void MpiTeam::meet() const {
+    if (!leads()) {
+        call_to(0);
+        wait_for_call(0);
+        return;
+    }
+    for (std::size_t rank = 1; rank < size_; ++rank) wait_for_call(static_cast<int>(rank));
+    for (std::size_t rank = 1; rank < size_; ++rank) call_to(static_cast<int>(rank));
+}
+
 // One broadcast after the other: of any length, and no process has to have room for more than what is told.
 std::vector<std::vector<std::byte>> MpiTeam::tell_all(std::span<const std::byte> said) {
     std::vector<unsigned long long> sizes(size_);
     const unsigned long long own = said.size();
-    wait_for_all();
+    meet();
     MPI_Allgather(&own, 1, MPI_UNSIGNED_LONG_LONG, sizes.data(), 1, MPI_UNSIGNED_LONG_LONG, MPI_COMM_WORLD);
     std::vector<std::vector<std::byte>> all(size_);
     for (std::size_t rank = 0; rank < size_; ++rank) {
@@ -67,25 +75,21 @@ std::vector<std::vector<std::byte>> MpiTeam::tell_all(std::span<const std::byte>
 }
 
 void MpiTeam::send(std::span<const std::byte> bytes) {
-    MPI_Request met = MPI_REQUEST_NULL;
-    MPI_Issend(nullptr, 0, MPI_BYTE, 0, kMeet, MPI_COMM_WORLD, &met);
-    wait_for(met);
+    wait_for_call(0);
     in_messages(bytes.size(), [&](std::size_t first, int count) {
         MPI_Send(bytes.data() + first, count, MPI_BYTE, 0, 0, MPI_COMM_WORLD);
     });
 }
 
 void MpiTeam::receive(std::size_t from, std::span<std::byte> bytes) {
-    MPI_Request met = MPI_REQUEST_NULL;
-    MPI_Irecv(nullptr, 0, MPI_BYTE, static_cast<int>(from), kMeet, MPI_COMM_WORLD, &met);
-    wait_for(met);
+    call_to(static_cast<int>(from));
     in_messages(bytes.size(), [&](std::size_t first, int count) {
         MPI_Recv(bytes.data() + first, count, MPI_BYTE, static_cast<int>(from), 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     });
 }
 
 void MpiTeam::finish() {
-    wait_for_all();
+    meet();
     MPI_Finalize();
 }
 

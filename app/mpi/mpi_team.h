@@ -21,6 +21,8 @@ public:
     [[noreturn]] void abort(int code); // ends all processes
 
 private:
+    void meet() const;
+
     std::size_t size_ = 1, rank_ = 0;
 };
 
