@@ -46,6 +46,9 @@ public:
     // when these are completely written.
     void release_resident() const;
 
+    // The least memory, in bytes, that must be left for the pages that are mapped between two looks.
+    static constexpr double kLeastLeft = 40e6;
+
 private:
     void drop() const; // under the mutex
     void watch(const std::stop_token& stop) const;

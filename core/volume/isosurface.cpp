@@ -89,8 +89,8 @@ Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patien
                          sizeof(glm::uvec3) * static_cast<double>(mesher.triangles());
     const double left = memory_left(options.memory_bytes);
     if (bytes <= left) return mesher.make({});
-    if (options.target.empty())
-        return fail(takes_too_much("the surface", bytes, left), {}, "crop the volume, or raise --memory");
+    if (const double least = options.target.empty() ? bytes : DiskPages::kLeastLeft; least > left)
+        return fail(takes_too_much("the surface", least, left), {}, "crop the volume, or raise --memory");
     const auto pages = std::make_shared<DiskPages>(options.target, memory_limit(options.memory_bytes));
     auto mesh = mesher.make(LargeAllocator<std::byte>(pages));
     pages->release_resident();

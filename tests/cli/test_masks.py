@@ -32,8 +32,8 @@ class Masks(CommandLineTest):
 
     def test_the_surface_is_in_place_outward_and_without_a_tree(self):
         report = self.mesh("-o", "out.ply")
-        self.assertEqual(set(report), {"vertices", "triangles", "components", "units", "unit", "orientation", "load_s", "mesh_s",
-                                       "write_s"})
+        self.assertEqual(set(report), {"vertices", "triangles", "components", "units", "unit", "orientation", "streamed", "load_s",
+                                       "mesh_s", "write_s"})
         self.assertEqual(report["components"], 2)
         lines, vertices, faces = read_ply(self.folder / "out.ply")
         self.assertEqual((len(vertices), len(faces)), (report["vertices"], report["triangles"]))

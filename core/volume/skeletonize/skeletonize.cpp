@@ -66,10 +66,9 @@ Result<LargeAllocator<std::byte>> memory_for(const SparseMask& mask, std::uint64
                           kBytesPerRow * static_cast<double>(mask.size().y) * mask.size().z;
     const double left = memory_left(options.memory_bytes);
     if (by_voxel + others <= left) return LargeAllocator<std::byte>();
-    if (others > kShareBesideDisk * left)
-        return fail(
-            takes_too_much("the skeleton of " + std::to_string(voxels) + " voxels", others / kShareBesideDisk, left),
-            {}, "crop the volume, or raise --memory");
+    if (const double least = std::max(DiskPages::kLeastLeft, others / kShareBesideDisk); least > left)
+        return fail(takes_too_much("the skeleton of " + std::to_string(voxels) + " voxels", least, left), {},
+                    "crop the volume, or raise --memory");
     return LargeAllocator<std::byte>(std::make_shared<DiskPages>("", memory_limit(options.memory_bytes)));
 }
 
