@@ -223,12 +223,15 @@ int run_window(const WindowOptions& options) {
     }
     // Reads the file while the display and the graphics driver start.
     Workspace workspace(wake_window);
-    workspace.set_reading(options.read);
     Session empty;
     empty.marks.options = options.surface;
     workspace.document().open(nullptr, empty);
     const auto file = first_file(options);
-    const bool asks = file && options.commands.empty() && io::is_volume(*file); // somebody says what becomes of it
+    const bool names_file = !options.session.empty() || !options.files.empty();
+    workspace.say_reading(options.read, names_file ? *file : std::filesystem::path());
+    // Somebody says what becomes of a mask or a scan, unless the options say how a tree is made of it.
+    const bool asks =
+        file && options.commands.empty() && io::is_volume(*file) && options.read.mask == io::MaskReading();
     if (file && !asks) workspace.open(*file);
     if (!options.status.empty())
         if (auto possible = io::check_output(options.status); !possible) return complain(possible.error());

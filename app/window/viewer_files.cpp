@@ -7,7 +7,6 @@
 #include "app/panels/volume_dialog.h"
 #include "app/panels/welcome_panel.h"
 #include "app/picture/video_file.h"
-#include "app/session/reading_options.h"
 #include "app/storage/opening_files.h"
 #include "app/storage/recent_files.h"
 #include "app/storage/user_folders.h"
@@ -40,9 +39,9 @@ bool is_branch_table(const std::filesystem::path& path) {
 } // namespace
 
 // The next line of a script refers to this file: waits until everything is ready.
-Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path) {
+Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path, const io::ReadOptions& how) {
     Workspace& workspace = state_.workspace;
-    workspace.open(path);
+    workspace.open(path, how);
     do {
         workspace.update();
         if (const auto error = workspace.take_error()) return tl::unexpected(*error);
@@ -53,8 +52,7 @@ Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path) {
 }
 
 Result<void> ViewerFiles::open(const std::filesystem::path& path) {
-    if (state_.script_runs) return open_and_wait(path);
-    if (state_.persons_window && io::is_volume(path)) {
+    if (!state_.script_runs && state_.persons_window && io::is_volume(path)) {
         ask_about_volume(path);
         return {};
     }
@@ -62,17 +60,13 @@ Result<void> ViewerFiles::open(const std::filesystem::path& path) {
 }
 
 Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const io::ReadOptions& how) {
-    const io::ReadOptions reading = over(how, state_.workspace.reading());
-    if (state_.script_runs) return open_and_wait(path);
+    if (state_.script_runs) return open_and_wait(path, how);
     // Context that is shown without a tree stays for the next tree.
     const bool stays = !state_.workspace.document().tree() && !is_session_file(path);
     const auto when = [&](std::function<void()> next) { stays ? next() : when_saved(std::move(next)); };
-    when([this, path, reading] {
+    when([this, path, how] {
         recovering_.clear();
-        const io::ReadOptions usual = state_.workspace.reading();
-        state_.workspace.set_reading(reading); // for this file
-        state_.workspace.open(path);
-        state_.workspace.set_reading(usual);
+        state_.workspace.open(path, how);
         state_.interface.of<ErrorDialog>().errors.clear();
         state_.interface.of<OpenDialog>().open = false;
         state_.redraw();
@@ -154,11 +148,12 @@ void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
     dialog.as = beside ? VolumeDialog::As::kContext : VolumeDialog::As::kTree;
     volume_read_ = path;
     const auto memory = static_cast<double>(state_.workspace.document().marks().options.memory_bytes);
-    volume_reader_.start("Reading " + path.filename().string(),
-                         [this, path, memory, how = state_.workspace.reading()](Job& job, const Worker::Post& post) {
-                             auto facts = read_volume_facts(path, how, memory, job);
-                             if (!job.cancelled()) post([this, facts = std::move(facts)] { take_volume_facts(facts); });
-                         });
+    volume_reader_.start(
+        "Reading " + path.filename().string(),
+        [this, path, memory, how = state_.workspace.reading_of(path)](Job& job, const Worker::Post& post) {
+            auto facts = read_volume_facts(path, how, memory, job);
+            if (!job.cancelled()) post([this, facts = std::move(facts)] { take_volume_facts(facts); });
+        });
     state_.redraw();
 }
 

@@ -50,7 +50,7 @@ public:
 private:
     [[nodiscard]] std::filesystem::path in_remembered(const std::filesystem::path& file, FilePurpose purpose) const;
     void when_saved(std::function<void()> next);
-    Result<void> open_and_wait(const std::filesystem::path& path);
+    Result<void> open_and_wait(const std::filesystem::path& path, const io::ReadOptions& how);
     void ask_about_arrival();
     void take(const Workspace::Opened& opened);
     void remember(const std::filesystem::path& file); // adds to the recent files, except twice in a row

@@ -101,8 +101,8 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     return load_tree_of(std::move(fresh), {}, reading, job);
 }
 
-Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOptions& reading, Job& job) {
-    auto loaded = load_tree_of(snapshot.session, snapshot.session.tree.path.string(), reading, job);
+Result<LoadedTree> load(const autosave::Snapshot& snapshot, Job& job) {
+    auto loaded = load_tree_of(snapshot.session, snapshot.session.tree.path.string(), {}, job);
     if (!loaded) {
         loaded.error().hint = "its recovery file is kept until you discard it";
         return loaded;

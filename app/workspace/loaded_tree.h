@@ -39,7 +39,7 @@ struct LoadedTree {
                                       const io::ReadOptions& reading, Job& job);
 
 // What another process left (app/storage/autosave.h), and its tree, which must be the same as then.
-[[nodiscard]] Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOptions& reading, Job& job);
+[[nodiscard]] Result<LoadedTree> load(const autosave::Snapshot& snapshot, Job& job);
 
 // TreeLoader: reads a tree on a worker, and makes its first surface there. For one thread, its owner's, which takes
 // what came after update(). Whatever the loader is asked for last counts; what it was at before is dropped.

@@ -1,5 +1,6 @@
 #include "app/workspace/workspace.h"
 
+#include "app/session/reading_options.h"
 #include "core/io/run_inputs.h"
 
 #include <algorithm>
@@ -11,19 +12,38 @@ Workspace::Workspace(const std::function<void()>& wake)
     assets_.centerlines_follow = true;
 }
 
-void Workspace::open(const std::filesystem::path& path) {
+namespace {
+
+std::filesystem::path whole(const std::filesystem::path& path) {
+    return path.empty() ? path : std::filesystem::absolute(path).lexically_normal();
+}
+
+} // namespace
+
+void Workspace::say_reading(io::ReadOptions reading, const std::filesystem::path& file) {
+    said_reading_ = std::move(reading);
+    said_of_ = whole(file);
+}
+
+io::ReadOptions Workspace::reading_of(const std::filesystem::path& file) const {
+    return said_of_.empty() || said_of_ == whole(file) ? said_reading_ : io::ReadOptions();
+}
+
+void Workspace::open(const std::filesystem::path& path, const io::ReadOptions& how) {
     io::note_input(path, io::InputKind::kSession); // until its tree is read
-    asked_for_ = std::filesystem::absolute(path).lexically_normal();
+    asked_for_ = whole(path);
     // Context and scans that are shown without a tree are kept for the next tree; those next to a tree belong to that
     // tree.
     Marks like = document_.marks();
     if (document_.tree()) like.context.clear(), like.scans.clear();
-    load_with(path, [path, like = std::move(like), how = reading_](Job& job) { return load(path, like, how, job); });
+    load_with(path, [path, like = std::move(like), reading = over(how, reading_of(path))](Job& job) {
+        return load(path, like, reading, job);
+    });
 }
 
 void Workspace::recover(const autosave::Snapshot& snapshot) {
-    const auto read = [snapshot, like = document_.marks().options, how = reading_](Job& job) {
-        auto loaded = load(snapshot, how, job);
+    const auto read = [snapshot, like = document_.marks().options](Job& job) {
+        auto loaded = load(snapshot, job);
         if (!loaded) return loaded;
         loaded->session.marks.options.threads = like.threads;
         loaded->session.marks.options.memory_bytes = like.memory_bytes;

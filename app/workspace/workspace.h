@@ -29,15 +29,16 @@ public:
     // `wake`: called from other threads when update() has something to do. It must be thread-safe.
     explicit Workspace(const std::function<void()>& wake);
 
-    void open(const std::filesystem::path& path);
+    // `how`: options for reading the file. They override what was said of it, which overrides a session's own.
+    void open(const std::filesystem::path& path, const io::ReadOptions& how = {});
     // Absolute path of the file that was opened last, successfully or not.
     [[nodiscard]] const std::filesystem::path& asked_for() const { return asked_for_; }
     void recover(const autosave::Snapshot& snapshot);
     // Opens a tree that was loaded elsewhere, immediately.
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
-    // Options for reading files opened from now on; they override those of sessions.
-    [[nodiscard]] const io::ReadOptions& reading() const { return reading_; }
-    void set_reading(io::ReadOptions reading) { reading_ = std::move(reading); }
+    // What was said of reading `file` when the program was started; other files are read as they say. Empty: of all.
+    void say_reading(io::ReadOptions reading, const std::filesystem::path& file = {});
+    [[nodiscard]] io::ReadOptions reading_of(const std::filesystem::path& file) const;
 
     // A file was read, but the current tree has unsaved work: the file waits to be accepted or discarded.
     [[nodiscard]] bool arrival_waits() const { return arrival_.has_value(); }
@@ -130,7 +131,8 @@ private:
 
     Document document_;
     Assets assets_;
-    io::ReadOptions reading_;
+    io::ReadOptions said_reading_;
+    std::filesystem::path said_of_; // absolute; empty: of all files
     std::shared_ptr<const tree::VesselTree> tree_shown_; // the tree of the surfaces
     std::filesystem::path asked_for_;
     std::optional<mesh::SurfaceOptions> tried_;

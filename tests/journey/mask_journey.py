@@ -201,6 +201,14 @@ def asked(program, screen, folder):
         check(window.quit() == 0, "the window closes")
     finally:
         window.end()
+    window = Window(program, screen, folder, [folder / "vessels.nii", "--size", "1100x860", "--isovalue", "2"])
+    try:
+        status = window.wait("the tree", lambda s: s["surface_ready"] and s["branch_count"] > 0)
+        check(status["reading"].get("isovalue") == 2 and not status["volume_dialog"]["open"],
+              f"with a threshold of the command line nothing is asked: {status['reading']}")
+        check(window.quit() == 0, "the window closes")
+    finally:
+        window.end()
 
 
 def journey(program, screen, folder):

@@ -334,13 +334,16 @@ TEST_CASE("recovering restores all unsaved work, and refuses another tree") {
     snapshot.session.camera.position = {1.0, 2.0, 3.0};
     snapshot.changes = 3;
     Job job;
-    const auto loaded = load(snapshot, {}, job);
+    const auto loaded = load(snapshot, job);
     REQUIRE_MESSAGE(loaded, loaded.error().message());
     CHECK(loaded->session == snapshot.session);
     CHECK(loaded->has_camera);
     CHECK(loaded->unsaved_changes == 3);
 
     Workspace workspace({});
+    io::ReadOptions said;
+    said.unit = io::length_unit("um"); // of what the program was started with, not of what is recovered
+    workspace.say_reading(said);
     workspace.recover(snapshot);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!workspace.document().tree() && std::chrono::steady_clock::now() < end) {
@@ -356,12 +359,12 @@ TEST_CASE("recovering restores all unsaved work, and refuses another tree") {
     CHECK(opened->recovered);
 
     write("1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n");
-    const auto changed = load(snapshot, {}, job);
+    const auto changed = load(snapshot, job);
     REQUIRE_FALSE(changed);
     CHECK(changed.error().message() == tree.string() + ": fork.swc has changed since the session was saved; its "
                                                        "recovery file is kept until you discard it");
     fs::remove(tree);
-    const auto gone = load(snapshot, {}, job);
+    const auto gone = load(snapshot, job);
     REQUIRE_FALSE(gone);
     CHECK(gone.error().message().find("fork.swc") != std::string::npos);
     CHECK(gone.error().hint == "its recovery file is kept until you discard it");

@@ -62,8 +62,14 @@ TEST_CASE("the surface follows the options of reading, also after undo, redo and
     Workspace said({});
     io::ReadOptions in_mm;
     in_mm.unit = io::length_unit("mm");
-    said.set_reading(in_mm);
+    said.say_reading(in_mm, session);
     said.open(session);
     REQUIRE(settle(said, [&] { return said.surface_ready(); }));
     CHECK(height_mm(said) == doctest::Approx(height).epsilon(1e-3));
+    // What was said of one file is not said of another.
+    const auto copy = folder.path() / "copy.ramus.json";
+    REQUIRE(write_session(workspace.document().session(), copy));
+    said.open(copy);
+    REQUIRE(settle(said, [&] { return said.surface_ready() && said.document().file() == copy; }));
+    CHECK(height_mm(said) == doctest::Approx(10.0 * height).epsilon(1e-3));
 }
