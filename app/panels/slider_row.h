@@ -22,7 +22,8 @@ template <class T, class Draw, class AsText>
 bool slider_row(const char* label, const char* help, Slider<T>& slider, T current, const Draw& draw,
                 const AsText& as_text) {
     if (!slider.held) slider.value = current;
-    begin_row(label, help, -40.0F * theme::scale());
+    constexpr float kValue = 56.0F; // "0.25 mm" fits
+    begin_row(label, help, -kValue * theme::scale());
     draw(slider.value);
     note_item(help);
     slider.held = ImGui::IsItemActive();

@@ -42,7 +42,8 @@ struct DrawStatistics {
     bool pending = false;             // the mesh is not completely sent: its preview or the previous mesh was drawn.
                                       // Draw again.
     bool unfinished = false;          // the time limit stopped it: the picture is the previous one. Draw again.
-    bool of_before = false;           // the picture was begun by an earlier call and shows another tree's centerlines
+    bool of_before = false;           // the picture was begun by an earlier call and shows another tree's centerlines;
+                                      // of a sheet: a view still shows an earlier picture
     double seconds = 0.0;             // time for the picture, over all calls
     bool coarse = false;              // the preview was drawn because the mesh exceeds graphics memory
     Quality quality = Quality::kFull; // actual quality: interactive while only the preview is sent

@@ -94,7 +94,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     for (std::size_t i = 1; i < sheet.viewports.size() && !at_once; ++i) {
         if (is_slice(sheet.viewports[i]) || place_of(sheet, i) == 0 || renderer(sheet, i).has_picture()) continue;
         auto first = renderer(sheet, i).draw(sheet.viewports[i].frame, upload_budget, seconds);
-        if (first) first->unfinished = true;
+        if (first) first->unfinished = first->of_before = true;
         return first;
     }
     const auto slices = within_memory(
@@ -117,7 +117,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         sum.pending |= done->pending;
         sum.unfinished |= done->unfinished;
         sum.coarse |= done->coarse;
-        sum.of_before |= done->of_before;
+        sum.of_before |= done->of_before || (done->unfinished && !done->shaded);
         sum.seconds += done->seconds;
         if (place_of(sheet, i) == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
     }

@@ -117,6 +117,32 @@ TEST_CASE("the first picture comes in parts, too, for who can wait for it") {
     CHECK(largest_difference(other->read_image(), scene.renderer->read_image()) == 0);
 }
 
+TEST_CASE("a sheet says that a view still shows an earlier picture beside a slice that is already new") {
+    const PartsScene scene;
+    SheetRenderer sheets(*scene.renderer);
+    Sheet sheet;
+    sheet.size = {2 * scene.frame.size.x, scene.frame.size.y};
+    sheet.viewports.resize(2);
+    sheet.viewports[0].frame = sheet.viewports[1].frame = scene.frame;
+    sheet.viewports[1].at.x = scene.frame.size.x;
+    sheet.viewports[0].slice.emplace().grid.size = scene.frame.size;
+    const auto first = sheets.draw(sheet);
+    REQUIRE(first);
+    CHECK_FALSE(first->of_before);
+    sheet.viewports[0].slice->background = glm::vec3(0.5F);
+    sheet.viewports[1].frame = scene.seen_from(View::kSuperior);
+    int calls = 0;
+    for (bool more = true; more; ++calls) {
+        SheetRenderer::finish();
+        const auto done = sheets.draw(sheet, kUploadAll, 0.0);
+        REQUIRE(done);
+        CHECK(done->of_before == done->unfinished);
+        if (calls == 0) CHECK((done->shaded && done->unfinished));
+        more = done->unfinished;
+    }
+    CHECK(calls > 1);
+}
+
 TEST_CASE("two renderers make their pictures by turns" * doctest::test_suite("slow")) {
     const PartsScene scene;
     const auto other = Renderer::create().value();
