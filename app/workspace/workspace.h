@@ -132,7 +132,7 @@ private:
     Document document_;
     Assets assets_;
     io::ReadOptions said_reading_;
-    std::filesystem::path said_of_; // absolute; empty: of all files
+    std::filesystem::path said_of_;                      // absolute; empty: of all files
     std::shared_ptr<const tree::VesselTree> tree_shown_; // the tree of the surfaces
     std::filesystem::path asked_for_;
     std::optional<mesh::SurfaceOptions> tried_;
