@@ -7,31 +7,31 @@
 
 namespace ramus::app {
 
-Workspace::Workspace(const std::function<void()>& wake)
-    : loader_(wake), surface_(wake), works_(background_works(wake, compared_)) {
-    assets_.centerlines_follow = true;
-}
-
 namespace {
 
-std::filesystem::path whole(const std::filesystem::path& path) {
+std::filesystem::path absolute_path(const std::filesystem::path& path) {
     return path.empty() ? path : std::filesystem::absolute(path).lexically_normal();
 }
 
 } // namespace
 
+Workspace::Workspace(const std::function<void()>& wake)
+    : loader_(wake), surface_(wake), works_(background_works(wake, compared_)) {
+    assets_.centerlines_follow = true;
+}
+
 void Workspace::say_reading(io::ReadOptions reading, const std::filesystem::path& file) {
     said_reading_ = std::move(reading);
-    said_of_ = whole(file);
+    said_of_ = absolute_path(file);
 }
 
 io::ReadOptions Workspace::reading_of(const std::filesystem::path& file) const {
-    return said_of_.empty() || said_of_ == whole(file) ? said_reading_ : io::ReadOptions();
+    return said_of_.empty() || said_of_ == absolute_path(file) ? said_reading_ : io::ReadOptions();
 }
 
 void Workspace::open(const std::filesystem::path& path, const io::ReadOptions& how) {
     io::note_input(path, io::InputKind::kSession); // until its tree is read
-    asked_for_ = whole(path);
+    asked_for_ = absolute_path(path);
     // Context and scans that are shown without a tree are kept for the next tree; those next to a tree belong to that
     // tree.
     Marks like = document_.marks();

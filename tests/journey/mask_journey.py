@@ -209,6 +209,13 @@ def asked(program, screen, folder):
         check(window.quit() == 0, "the window closes")
     finally:
         window.end()
+    (folder / "opens.txt").write_text(f'open "{folder / "vessels.nii"}" --tree --isovalue 2\n')
+    window = Window(program, screen, folder, ["--size", "1100x860", "--commands", folder / "opens.txt"])
+    try:
+        window.wait("the tree", lambda s: s["surface_ready"] and s["reading"].get("isovalue") == 2)
+        check(window.quit() == 0, "a script opens a mask with options, too")
+    finally:
+        window.end()
 
 
 def journey(program, screen, folder):
