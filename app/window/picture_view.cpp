@@ -260,8 +260,7 @@ void PictureView::take(const PictureDrawer::Made& made) {
         state_.warn(Warning{drawn.error().what, drawn.error().where, drawn.error().hint});
     if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
     if (done.geometry) cast_ = done.cones > 0;
-    const bool of_this = !done.of_before && (done.shaded || !done.unfinished);
-    if (of_this) {
+    if (!done.of_before) {
         shown_tree_ = begun_tree_;
         shown_subject_ = begun_subject_;
     }
@@ -274,7 +273,7 @@ void PictureView::take(const PictureDrawer::Made& made) {
                             {},
                             "lower the detail, or hide what is not needed; files that are exported have all of it"});
     scale_bar_ = made.scale_bar;
-    if (of_this) {
+    if (!done.of_before) {
         std::vector<render::Legend> legends;
         for (const auto& viewport : made.sheet.viewports)
             if (!viewport.frame.overlays.legend.title.empty()) legends.push_back(viewport.frame.overlays.legend);

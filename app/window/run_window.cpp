@@ -40,10 +40,10 @@ int complain(const Error& error) {
     return 1;
 }
 
-std::optional<std::filesystem::path> first_file(const WindowOptions& options) {
+std::optional<std::filesystem::path> named_file(const WindowOptions& options) {
     if (!options.session.empty()) return options.session;
     if (!options.files.empty()) return options.files.front();
-    return demo_tree();
+    return {};
 }
 
 // Keeps what outlives the window: the session, in case the process is killed, and the settings.
@@ -226,9 +226,9 @@ int run_window(const WindowOptions& options) {
     Session empty;
     empty.marks.options = options.surface;
     workspace.document().open(nullptr, empty);
-    const auto file = first_file(options);
-    const bool names_file = !options.session.empty() || !options.files.empty();
-    workspace.say_reading(options.read, names_file ? *file : std::filesystem::path());
+    const auto named = named_file(options);
+    const auto file = named ? named : demo_tree();
+    workspace.say_reading(options.read, named.value_or(std::filesystem::path()));
     // Somebody says what becomes of a mask or a scan, unless the options say how a tree is made of it.
     const bool asks =
         file && options.commands.empty() && io::is_volume(*file) && options.read.mask == io::MaskReading();
@@ -260,7 +260,7 @@ int run_window(const WindowOptions& options) {
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
     (*viewer)->files().use_settings(settings);
-    if (options.session.empty() && options.files.empty()) (*viewer)->files().welcome();
+    if (!named) (*viewer)->files().welcome();
     if (asks) (*viewer)->files().ask_about_volume(*file);
     if (!stored.trouble.empty()) (*viewer)->say(stored.trouble);
     (*viewer)->files().offer(autosave::find_abandoned(Keeper::folder()));

@@ -29,14 +29,14 @@ public:
     // `wake`: called from other threads when update() has something to do. It must be thread-safe.
     explicit Workspace(const std::function<void()>& wake);
 
-    // `how`: options for reading the file. They override what was said of it, which overrides a session's own.
+    // `how`: options for reading the file. They override those of say_reading(), which override a session's own.
     void open(const std::filesystem::path& path, const io::ReadOptions& how = {});
     // Absolute path of the file that was opened last, successfully or not.
     [[nodiscard]] const std::filesystem::path& asked_for() const { return asked_for_; }
     void recover(const autosave::Snapshot& snapshot);
     // Opens a tree that was loaded elsewhere, immediately.
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
-    // What was said of reading `file` when the program was started; other files are read as they say. Empty: of all.
+    // What the command line says about reading `file`; empty: about every file. A recovered session is read as it was.
     void say_reading(io::ReadOptions reading, const std::filesystem::path& file = {});
     [[nodiscard]] io::ReadOptions reading_of(const std::filesystem::path& file) const;
 

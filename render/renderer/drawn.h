@@ -43,7 +43,7 @@ struct DrawStatistics {
                                       // Draw again.
     bool unfinished = false;          // the time limit stopped it: the picture is the previous one. Draw again.
     bool of_before = false;           // the picture was begun by an earlier call and shows another tree's centerlines;
-                                      // of a sheet: a view still shows an earlier picture
+                                      // of a sheet, also: a view shows an earlier picture, or none
     double seconds = 0.0;             // time for the picture, over all calls
     bool coarse = false;              // the preview was drawn because the mesh exceeds graphics memory
     Quality quality = Quality::kFull; // actual quality: interactive while only the preview is sent

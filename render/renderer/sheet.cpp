@@ -87,7 +87,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         RAMUS_TRY(made, Renderer::create(kGlassBytes, first_.surface_bytes()));
         if (first_.draws_first_in_parts()) made->draw_first_in_parts();
         others_.push_back(std::move(made));
-        sum.unfinished = !at_once;
+        sum.unfinished = sum.of_before = !at_once;
         if (sum.unfinished) return sum; // linking its programs takes as long as a part
     }
     // A new viewport has no earlier picture to show meanwhile; draws one such picture per call.
